@@ -1,0 +1,1 @@
+//! Vegetation that reacts.

@@ -1,0 +1,2 @@
+//! The sward command line.
+fn main() {}

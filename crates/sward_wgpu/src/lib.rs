@@ -1,0 +1,1 @@
+//! sward on the GPU.
