@@ -1,0 +1,223 @@
+//! Which patches are awake.
+//!
+//! Chen & Johan 2010, §4.2; methods §1.6. A patch wakes where a swept footprint or a neighbour's disturbed border reaches it, or near a
+//! focus when the wind varies; it sleeps after a second of rest. At the budget the patch farthest from every focus goes first.
+//! Summaries are read [`LATENCY`] steps late on every backend, so that a GPU never has to be waited for and all backends agree.
+
+use std::collections::BTreeSet;
+
+use crate::state::{Awake, NONE, PatchKey, StandState};
+
+/// Steps between a summary's step and the activation that reads it.
+pub const LATENCY: usize = 2;
+/// Width of the border bands of a [`Summary`], cells: a wave crosses less than one cell a step.
+pub const BAND: usize = 1 + LATENCY;
+/// Time in which a released patch in view fades, s.
+const FADE: f64 = 0.3;
+
+/// What activation of one stand goes by in one step.
+pub struct Circumstances<'a> {
+    /// Patches reached by swept footprints and their margin.
+    pub touched: &'a BTreeSet<PatchKey>,
+    /// Points the simulation cares about, m from the authored origin.
+    pub focuses: &'a [[f64; 2]],
+    /// Whether a patch may be seen by a camera.
+    pub in_view: &'a dyn Fn(PatchKey) -> bool,
+    /// First patch and one past the last in x and z, or `None` for an endless field.
+    pub field: Option<[[i32; 2]; 2]>,
+    /// Patch side, m.
+    pub patch_side: f64,
+    /// Patches whose centre is nearer to a focus wake if `gusty`, m.
+    pub focus_distance: f64,
+    /// Patches whose centre is nearer to a focus keep upper segments, m.
+    pub lag_distance: f64,
+    /// The wind changes with time.
+    pub gusty: bool,
+    /// Deviation from rest that sleep allows, rad and rad/s.
+    pub tolerance: f32,
+    /// Steps per second.
+    pub rate: f64,
+}
+
+impl Circumstances<'_> {
+    /// Distance from the patch's centre to the nearest focus, m.
+    fn distance(&self, patch: PatchKey) -> f64 {
+        let centre = patch.map(|p| (f64::from(p) + 0.5) * self.patch_side);
+        let squared = |f: &[f64; 2]| (f[0] - centre[0]) * (f[0] - centre[0]) + (f[1] - centre[1]) * (f[1] - centre[1]);
+        self.focuses.iter().map(squared).fold(f64::MAX, f64::min).sqrt()
+    }
+
+    fn inside(&self, patch: PatchKey) -> bool {
+        self.field.is_none_or(|[low, high]| (0..2).all(|axis| patch[axis] >= low[axis] && patch[axis] < high[axis]))
+    }
+
+    fn fade_steps(&self) -> u32 {
+        (FADE * self.rate).round().max(1.0) as u32
+    }
+
+    fn near_focus(&self) -> BTreeSet<PatchKey> {
+        let mut near = BTreeSet::new();
+        for focus in self.focuses {
+            let reach = (self.focus_distance / self.patch_side).ceil() as i32 + 1;
+            let home = focus.map(|f| (f / self.patch_side).floor() as i32);
+            for z in -reach..=reach {
+                for x in -reach..=reach {
+                    let patch = [home[0].saturating_add(x), home[1].saturating_add(z)];
+                    if self.distance(patch) < self.focus_distance {
+                        near.insert(patch);
+                    }
+                }
+            }
+        }
+        near
+    }
+}
+
+/// Decides which patches are awake in this step.
+pub fn activate(stand: &mut StandState, by: &Circumstances) {
+    finish_fades(stand);
+    let pushed = read_summary(stand, by);
+    let focused = if by.gusty { by.near_focus() } else { BTreeSet::new() };
+    put_to_sleep(stand, by, &focused);
+    let mut wanted: BTreeSet<PatchKey> = pushed.union(by.touched).copied().collect();
+    for patch in &wanted {
+        if let Some(awake) = stand.awake.get_mut(patch) {
+            (awake.fading, awake.wind_only) = (0, false);
+            if by.touched.contains(patch) {
+                awake.rest = 0;
+            }
+        }
+    }
+    wanted.extend(&focused);
+    wake(stand, by, &wanted, &pushed);
+    share_lag_slots(stand, by);
+}
+
+fn finish_fades(stand: &mut StandState) {
+    let done: Vec<PatchKey> = stand.awake.iter().filter(|(_, awake)| awake.fading == 1).map(|(patch, _)| *patch).collect();
+    for patch in done {
+        release(stand, patch);
+    }
+    for awake in stand.awake.values_mut() {
+        (awake.woken, awake.lag_woken) = (false, false);
+        awake.fading = awake.fading.saturating_sub(1);
+    }
+}
+
+fn release(stand: &mut StandState, patch: PatchKey) {
+    if let Some(awake) = stand.awake.remove(&patch) {
+        stand.free.insert(awake.slot);
+        if awake.lag != NONE {
+            stand.lag_free.insert(awake.lag);
+        }
+    }
+}
+
+/// Counts rest and returns the patches that a neighbour's border pushes awake.
+fn read_summary(stand: &mut StandState, by: &Circumstances) -> BTreeSet<PatchKey> {
+    let mut pushed = BTreeSet::new();
+    if stand.summaries.len() < LATENCY {
+        return pushed;
+    }
+    let limit = by.tolerance * by.tolerance;
+    for (patch, summary) in stand.summaries.pop_front().unwrap_or_default() {
+        stand.counters.clamped += u64::from(summary.clamped);
+        let Some(awake) = stand.awake.get_mut(&patch) else { continue };
+        awake.rest = if is_over(summary.largest, limit) { 0 } else { awake.rest + 1 };
+        if awake.fading > 0 || awake.wind_only {
+            continue;
+        }
+        for (border, [dx, dz]) in summary.borders.into_iter().zip([[-1, 0], [1, 0], [0, -1], [0, 1]]) {
+            if is_over(border, limit) {
+                pushed.insert([patch[0].saturating_add(dx), patch[1].saturating_add(dz)]);
+            }
+        }
+    }
+    pushed
+}
+
+/// A deviation that is not a number is not rest.
+fn is_over(deviation: f32, limit: f32) -> bool {
+    !matches!(deviation.partial_cmp(&limit), Some(std::cmp::Ordering::Less | std::cmp::Ordering::Equal))
+}
+
+fn put_to_sleep(stand: &mut StandState, by: &Circumstances, focused: &BTreeSet<PatchKey>) {
+    let second = by.rate.ceil() as u32;
+    let resting: Vec<PatchKey> = stand
+        .awake
+        .iter()
+        .filter(|(patch, awake)| awake.fading == 0 && !focused.contains(*patch) && !by.touched.contains(*patch) && (awake.rest >= second || awake.wind_only))
+        .map(|(patch, _)| *patch)
+        .collect();
+    for patch in focused {
+        // Rested under the focus: only the wind moves it now, and wind does not wake neighbours.
+        if let Some(awake) = stand.awake.get_mut(patch) {
+            awake.wind_only |= awake.rest >= second && !by.touched.contains(patch);
+        }
+    }
+    for patch in resting {
+        stand.counters.slept += 1;
+        // In gusts a patch at rest still differs from β_eq by what its inertia makes it trail.
+        if by.gusty { fade(stand, patch, by) } else { release(stand, patch) }
+    }
+}
+
+fn fade(stand: &mut StandState, patch: PatchKey, by: &Circumstances) {
+    if let Some(awake) = stand.awake.get_mut(&patch) {
+        awake.fading = by.fade_steps();
+    }
+}
+
+fn wake(stand: &mut StandState, by: &Circumstances, wanted: &BTreeSet<PatchKey>, pushed: &BTreeSet<PatchKey>) {
+    let mut queue: Vec<(f64, PatchKey)> =
+        wanted.iter().filter(|patch| !stand.awake.contains_key(*patch) && by.inside(**patch)).map(|patch| (by.distance(*patch), *patch)).collect();
+    queue.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    for (distance, patch) in queue {
+        if stand.free.is_empty() {
+            make_room(stand, by, distance);
+        }
+        let Some(slot) = stand.free.pop_first() else {
+            stand.counters.denied += 1;
+            continue;
+        };
+        let wind_only = !by.touched.contains(&patch) && !pushed.contains(&patch);
+        let awake = Awake { slot, lag: NONE, rest: 0, fading: 0, woken: true, lag_woken: false, wind_only };
+        stand.awake.insert(patch, awake);
+        stand.counters.woken += 1;
+    }
+}
+
+/// Releases the awake patch farthest from every focus if it is farther than `distance`; one in view fades first.
+fn make_room(stand: &mut StandState, by: &Circumstances, distance: f64) {
+    let candidates = stand.awake.iter().filter(|(patch, awake)| awake.fading == 0 && !awake.woken && !by.touched.contains(*patch));
+    let farthest = candidates.map(|(patch, _)| (by.distance(*patch), *patch)).max_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let Some((away, patch)) = farthest else { return };
+    if away <= distance {
+        return;
+    }
+    stand.counters.released += 1;
+    if (by.in_view)(patch) { fade(stand, patch, by) } else { release(stand, patch) }
+}
+
+fn share_lag_slots(stand: &mut StandState, by: &Circumstances) {
+    let mut near: Vec<(f64, PatchKey)> = stand.awake.keys().map(|patch| (by.distance(*patch), *patch)).collect();
+    near.retain(|(distance, _)| *distance < by.lag_distance);
+    near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let keep: BTreeSet<PatchKey> = near.iter().map(|(_, patch)| *patch).collect();
+    for (patch, awake) in &mut stand.awake {
+        if awake.lag != NONE && !keep.contains(patch) {
+            stand.lag_free.insert(std::mem::replace(&mut awake.lag, NONE));
+        }
+    }
+    for (_, patch) in near {
+        let Some(awake) = stand.awake.get_mut(&patch) else { continue };
+        if awake.lag == NONE && let Some(slot) = stand.lag_free.pop_first() {
+            (awake.lag, awake.lag_woken) = (slot, true);
+        }
+    }
+}
+
+/// The share of its deviation a fading patch keeps in this step: falls linearly over the fade.
+pub fn keep(awake: &Awake) -> f32 {
+    if awake.fading == 0 { 1.0 } else { (awake.fading as f32 - 1.0) / awake.fading as f32 }
+}

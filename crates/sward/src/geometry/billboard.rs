@@ -1,0 +1,32 @@
+//! Billboards of n segments: a plant is a spine of joints carrying crossed cards.
+//!
+//! Chen & Johan 2010, §3 and Fig. 5; methods §1.5. Segment i is tilted by β_i from the vertical, so a steady bend is straight.
+//! Joints below the terrain are lifted onto it (+1 mm). Twin: `billboard.wgsl`.
+
+use crate::math;
+
+/// Height by which a joint clears the ground, m.
+pub const CLEARANCE: f32 = 1e-3;
+
+/// Offset of the end of a segment of `length` m from its start, tilted by `bend` [rad, ground-plane vector]: continuous at 0.
+pub fn segment(bend: [f32; 2], length: f32) -> [f32; 3] {
+    let tilt = (bend[0] * bend[0] + bend[1] * bend[1]).sqrt();
+    let (sine, cosine) = math::sin_cos(tilt);
+    let along = if tilt > 1e-6 { sine / tilt } else { 1.0 };
+    [bend[0] * along * length, cosine * length, bend[1] * along * length]
+}
+
+/// Joints of a spine, root first: `bends[i]` of each segment, plant `height` m, `ground(x, z)` m at the same coordinates as `root`.
+pub fn spine(root: [f32; 3], height: f32, bends: &[[f32; 2]], ground: impl Fn(f32, f32) -> f32) -> Vec<[f32; 3]> {
+    let length = height / bends.len() as f32;
+    let mut joints = vec![root];
+    let mut at = root;
+    for bend in bends {
+        let step = segment(*bend, length);
+        at = [at[0] + step[0], at[1] + step[1], at[2] + step[2]];
+        let floor = ground(at[0], at[2]) + CLEARANCE;
+        at[1] = math::upper(at[1], floor);
+        joints.push(at);
+    }
+    joints
+}

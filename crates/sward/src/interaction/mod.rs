@@ -1,0 +1,14 @@
+//! Bodies: where they are, what ground they sweep in a step, and what they ask of a plant under them.
+//!
+//! Chen & Johan 2010, §5.1–5.2; methods §1.1. A body is a set of convex pieces; each piece and step becomes one [`Contact`],
+//! quantised to fractions of a cell so that every backend calls the same cells inside. Twin: `contact.wgsl`.
+
+mod contact;
+mod convex;
+mod motion;
+mod piece;
+
+pub use contact::{Contact, ContactEdge, Hit, contact_at};
+pub use convex::{Footprint, Grid, swept};
+pub use motion::{Pose, pose_on_path, stand as stand_on};
+pub use piece::{Piece, Underside, pieces_of};

@@ -1,0 +1,203 @@
+//! The compiled scene: everything a step reads and never changes.
+
+use std::path::Path;
+
+use crate::interaction::{Piece, pieces_of};
+use crate::placement::PlacementParameters;
+use crate::response::continuum::{Coefficients, LagCoefficients};
+use crate::scene::{Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
+use crate::terrain::Terrain;
+use crate::wind::Source;
+
+/// Where a scene's files (terrain images) come from.
+pub trait Assets {
+    /// The bytes of the file a scene names, or why it cannot be read.
+    fn read(&self, path: &str) -> Result<Vec<u8>, String>;
+}
+
+/// Files below a folder.
+#[derive(Clone, Debug)]
+pub struct Folder(pub std::path::PathBuf);
+
+impl Assets for Folder {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        let full = self.0.join(Path::new(path));
+        std::fs::read(&full).map_err(|error| format!("{}: {error}", full.display()))
+    }
+}
+
+/// No files: for scenes on flat ground.
+#[derive(Clone, Copy, Debug)]
+pub struct NoAssets;
+
+impl Assets for NoAssets {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        Err(format!("{path}: this scene was opened without a folder to read from"))
+    }
+}
+
+/// A stand, compiled.
+#[derive(Clone, Debug)]
+pub struct StandModel {
+    /// Unique name.
+    pub name: String,
+    /// Species with the stand's own overrides.
+    pub species: SpeciesModel,
+    /// Cells per patch side.
+    pub cells: u32,
+    /// Cell side Δx, m.
+    pub spacing: f64,
+    /// Kernel numbers.
+    pub coefficients: Coefficients,
+    /// Substeps of the wave per step.
+    pub substeps: u32,
+    /// Kernel numbers of the upper segments.
+    pub lag: LagCoefficients,
+    /// Where plants stand.
+    pub placement: PlacementParameters,
+    /// Deviation that counts as rest, rad and rad/s.
+    pub tolerance: f32,
+}
+
+/// A body, compiled.
+#[derive(Clone, Debug)]
+pub struct BodyModel {
+    /// Name, as in the scene.
+    pub name: String,
+    /// Convex pieces.
+    pub pieces: Vec<Piece>,
+    /// Half width and half length of its base, m.
+    pub half: [f64; 2],
+}
+
+/// The compiled scene.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Step, s.
+    pub dt: f64,
+    /// Steps per second.
+    pub rate: u32,
+    /// Patch side, m.
+    pub patch_side: f64,
+    /// First patch and one past the last, or `None` for an endless field.
+    pub field: Option<[[i32; 2]; 2]>,
+    /// Ground.
+    pub terrain: Terrain,
+    /// Stands in the scene's order.
+    pub stands: Vec<StandModel>,
+    /// Wind sources.
+    pub sources: Vec<Source>,
+    /// The wind changes with time.
+    pub gusty: bool,
+    /// Bodies in the scene's order.
+    pub bodies: Vec<BodyModel>,
+}
+
+fn half_of(shape: &Shape, pieces: &[Piece]) -> [f64; 2] {
+    if matches!(shape, Shape::Truck) {
+        return [0.8, 1.45];
+    }
+    let reach = |axis: usize| pieces.iter().flat_map(|piece| &piece.outline).map(|p| p[axis].abs()).fold(0.05, f64::max);
+    [reach(0), reach(1)]
+}
+
+fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, SceneError> {
+    let dt = 1.0 / f64::from(scene.steps_per_second);
+    let patch_side = f64::from(scene.field.patch_side);
+    let mut stands: Vec<StandModel> = Vec::new();
+    for (index, stand) in scene.stands.iter().enumerate() {
+        let species = stand.resolve()?;
+        let spacing = patch_side / f64::from(stand.cells);
+        let plant_height = 0.5 * (species.height[0] + species.height[1]);
+        let (coefficients, substeps) = Coefficients::new(&species.continuum, dt, spacing, plant_height);
+        let placement = PlacementParameters {
+            seed: scene.seed.wrapping_mul(0x9E37_79B9).wrapping_add(index as u32),
+            cells: stand.cells,
+            spacing: spacing as f32,
+            cover: stand.cover,
+            height: species.height,
+            clumping: stand.clumping,
+            clumps: ((patch_side / f64::from(stand.clump_size)).round() as u32).clamp(1, stand.cells),
+        };
+        stands.push(StandModel {
+            name: stand.name_or_species(),
+            lag: LagCoefficients::new(&species.continuum, species.billboard.segments, dt),
+            tolerance: tolerance(&species, sources),
+            species,
+            cells: stand.cells,
+            spacing,
+            coefficients,
+            substeps,
+            placement,
+        });
+    }
+    Ok(stands)
+}
+
+/// 1e-3 in still or steady air. In gusts, plants trail β_eq by their inertia for ever: a quarter of the gusts' own swing is rest there,
+/// and the patch fades into β_eq.
+fn tolerance(species: &SpeciesModel, sources: &[Source]) -> f32 {
+    let wind = crate::wind::WindField::at(sources, 0, 1.0, 1.0);
+    let gust = wind.gust_speed();
+    let swing = |speed: f32| crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0];
+    let mean = (wind.mean[0] * wind.mean[0] + wind.mean[1] * wind.mean[1]).sqrt();
+    crate::response::continuum::REST + 0.25 * (swing(mean + gust) - swing(mean))
+}
+
+/// The scene with every position counted from the corner of its origin patch.
+pub fn rebased(mut scene: Scene) -> Scene {
+    let shift = scene.origin.map(|patch| f64::from(patch) * f64::from(scene.field.patch_side));
+    let move_to = |at: &mut [f64; 2]| (at[0], at[1]) = (at[0] - shift[0], at[1] - shift[1]);
+    let move_eye = |at: &mut [f64; 3]| (at[0], at[2]) = (at[0] - shift[0], at[2] - shift[1]);
+    for interactor in &mut scene.interactors {
+        match &mut interactor.path {
+            ScenePath::Still(path) => move_to(&mut path.at),
+            ScenePath::Driven(path) => move_to(&mut path.at),
+            ScenePath::Circle(path) => move_to(&mut path.centre),
+            ScenePath::Keyframes(path) => path.keys.iter_mut().for_each(|key| move_to(&mut key.at)),
+        }
+    }
+    if scene.camera.follow.is_none() {
+        move_eye(&mut scene.camera.eye);
+        move_eye(&mut scene.camera.target);
+        scene.camera.keys.iter_mut().for_each(|key| (move_eye(&mut key.eye), move_eye(&mut key.target)).0);
+    }
+    if let SceneTerrain::Image(image) = &mut scene.terrain {
+        move_to(&mut image.offset);
+    }
+    scene
+}
+
+impl Model {
+    /// Compiles a scene; files it names come from `assets`.
+    pub fn compile(scene: &Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
+        let sources: Vec<Source> = scene
+            .wind
+            .iter()
+            .map(|source| match source {
+                WindSource::Uniform(wind) => Source::Uniform { velocity: wind.velocity },
+                WindSource::Natural(wind) => Source::Natural { velocity: wind.velocity, turbulence: wind.turbulence },
+            })
+            .collect();
+        let bodies = scene.interactors.iter().map(|interactor| {
+            let pieces = pieces_of(&interactor.shape);
+            BodyModel { name: interactor.name.clone(), half: half_of(&interactor.shape, &pieces), pieces }
+        });
+        let field = scene.field.patches.map(|count| {
+            let low = count.map(|n| -((n / 2) as i32));
+            [low, [low[0] + count[0] as i32, low[1] + count[1] as i32]]
+        });
+        let stands = stand_models(scene, &sources)?;
+        Ok(Self {
+            dt: 1.0 / f64::from(scene.steps_per_second),
+            rate: scene.steps_per_second,
+            patch_side: f64::from(scene.field.patch_side),
+            field,
+            terrain: scene.terrain.load(assets)?,
+            gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0)),
+            stands,
+            sources,
+            bodies: bodies.collect(),
+        })
+    }
+}

@@ -1,0 +1,68 @@
+// Which plants stand where: a pure function of (seed, patch, cell). Twin: placement.rs, where everything is explained.
+
+const PLACEMENT_PRESENT: u32 = 1u;
+const PLACEMENT_PLACE_X: u32 = 2u;
+const PLACEMENT_PLACE_Z: u32 = 3u;
+const PLACEMENT_HEIGHT: u32 = 4u;
+const PLACEMENT_YAW: u32 = 5u;
+const PLACEMENT_TINT: u32 = 6u;
+const PLACEMENT_CLUMP: u32 = 7u;
+
+struct PlacementParameters {
+    seed: u32,
+    cells: u32,
+    spacing: f32,
+    cover: f32,
+    height: vec2<f32>,
+    clumping: f32,
+    clumps: u32,
+}
+
+struct PlacedPlant {
+    present: bool,
+    root: vec2<f32>,
+    height: f32,
+    yaw: f32,
+    tint: f32,
+}
+
+fn placement_corner(p: PlacementParameters, patch_: vec2<i32>, corner: vec2<u32>) -> f32 {
+    let over = corner / p.clumps;
+    let at = corner - over * p.clumps;
+    let owner = patch_ + vec2<i32>(over);
+    return math_unit(math_hash(p.seed, owner.x, owner.y, at.y * p.clumps + at.x, PLACEMENT_CLUMP));
+}
+
+fn placement_clump(p: PlacementParameters, patch_: vec2<i32>, cell: vec2<u32>) -> f32 {
+    let scale = f32(p.clumps) / f32(p.cells);
+    let at = (vec2<f32>(cell) + 0.5) * scale;
+    let corner = vec2<u32>(at);
+    let f = at - vec2<f32>(corner);
+    let s = f * f * (3.0 - 2.0 * f);
+    let a = placement_corner(p, patch_, corner);
+    let b = placement_corner(p, patch_, corner + vec2<u32>(1u, 0u));
+    let c = placement_corner(p, patch_, corner + vec2<u32>(0u, 1u));
+    let d = placement_corner(p, patch_, corner + vec2<u32>(1u, 1u));
+    let low = a + (b - a) * s.x;
+    let high = c + (d - c) * s.x;
+    return low + (high - low) * s.y;
+}
+
+fn placement_random(p: PlacementParameters, patch_: vec2<i32>, index: u32, purpose: u32) -> f32 {
+    return math_unit(math_hash(p.seed, patch_.x, patch_.y, index, purpose));
+}
+
+fn placement_plant(p: PlacementParameters, patch_: vec2<i32>, cell: vec2<u32>) -> PlacedPlant {
+    let index = cell.y * p.cells + cell.x;
+    let clump = placement_clump(p, patch_, cell);
+    let cover = p.cover * (1.0 - p.clumping * (1.0 - clump));
+    var plant: PlacedPlant;
+    plant.present = placement_random(p, patch_, index, PLACEMENT_PRESENT) < cover;
+    let share = placement_random(p, patch_, index, PLACEMENT_HEIGHT) * (1.0 - p.clumping) + clump * p.clumping;
+    let place = vec2<f32>(placement_random(p, patch_, index, PLACEMENT_PLACE_X), placement_random(p, patch_, index, PLACEMENT_PLACE_Z));
+    plant.root = (vec2<f32>(cell) + place) * p.spacing;
+    plant.height = p.height.x + (p.height.y - p.height.x) * share;
+    plant.yaw = placement_random(p, patch_, index, PLACEMENT_YAW) * 6.2831855;
+    plant.tint = placement_random(p, patch_, index, PLACEMENT_TINT);
+    return plant;
+}

@@ -1,0 +1,21 @@
+//! Continuum grass: bending spreads through the field as a wave.
+//!
+//! Chen & Johan 2010, eq. 1–12. State per cell: β, ω [rad, rad/s; ground-plane vectors], and both one step earlier.
+//! Reads: wind (as β_eq), contacts, slopes. Writes: state, upper segments.
+//! Differs from the paper: vector bend, restoring term κ, limiter, exact direct bending (docs/papers.md).
+
+mod bend;
+mod coefficients;
+mod lag;
+mod patch;
+mod propagate;
+mod rest;
+mod step;
+
+pub use bend::{Held, contact, push};
+pub use coefficients::{Coefficients, HALF_PI, RATE_LIMIT, REST, SMALLEST_LIMIT, bend_limit, safe_limit};
+pub use lag::{LagCoefficients, cascade, from_history, look_up_offset};
+pub use patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
+pub use propagate::{RowInput, RowPeak, deviation, propagate_row};
+pub use rest::{NODE_CELLS, Rest};
+pub use step::{lags, step};

@@ -1,0 +1,197 @@
+//! One step of one patch on the CPU: contact, then the wave row by row, then upper segments.
+//!
+//! The wave is written so that the compiler vectorises it; `pulp` picks the widest instructions of the machine at run time. Every
+//! level computes the same bits.
+
+use super::bend;
+use super::coefficients::{Coefficients, RATE_LIMIT};
+use super::propagate::{RowInput, RowPeak, deviation, fade_row, keep_held, limit_row, propagate_row};
+use super::rest::Rest;
+use crate::activation::BAND;
+use crate::interaction::{Contact, ContactEdge, contact_at};
+use crate::state::{Slopes, Summary};
+
+/// Contacts that reach a patch.
+pub struct PatchContacts<'a> {
+    /// Contacts with their footprint's corner cell counted from the patch's own corner.
+    pub contacts: &'a [(Contact, [i32; 2])],
+    /// Edge list of the step.
+    pub edges: &'a [ContactEdge],
+    /// Terrain height at a cell centre, m.
+    pub ground: &'a (dyn Fn(i32, i32) -> f32 + Sync),
+}
+
+/// Bends the cells under bodies. `now` and `old` are the patch's two time levels; held cells get 1 in `held`.
+pub fn touch_patch(co: &Coefficients, cells: usize, by: &PatchContacts, slopes: &Slopes, now: &mut [f32], old: &mut [f32], held: &mut [u8]) {
+    let area = cells * cells;
+    let side = cells as i32;
+    let clip = |low: i32, size: i32| (low.clamp(0, side), low.saturating_add(size).clamp(0, side));
+    let bounds = by.contacts.iter().map(|(contact, corner)| (clip(corner[0], contact.size[0]), clip(corner[1], contact.size[1])));
+    let Some(((x0, x1), (z0, z1))) = bounds.reduce(|a, b| {
+        let joined = |p: (i32, i32), q: (i32, i32)| (p.0.min(q.0), p.1.max(q.1));
+        (joined(a.0, b.0), joined(a.1, b.1))
+    }) else {
+        return;
+    };
+    for j in z0..z1 {
+        for i in x0..x1 {
+            let cell = j as usize * cells + i as usize;
+            let hits = by.contacts.iter().filter_map(|(contact, corner)| {
+                let edges = &by.edges[contact.edge_first as usize..][..contact.edge_count as usize];
+                let (u, v) = (i - corner[0], j - corner[1]);
+                let covered = u >= 0 && v >= 0 && u < contact.size[0] && v < contact.size[1];
+                if covered { contact_at(contact, edges, [u, v], (by.ground)(i, j), co.plant_height) } else { None }
+            });
+            let bend = [now[cell], now[area + cell]];
+            if let Some(next) = bend::contact(co, bend, slopes.at(cells, cell), hits) {
+                held[cell] = 1;
+                for (plane, value) in [next.bend[0], next.bend[1], next.rate[0], next.rate[1]].into_iter().enumerate() {
+                    now[plane * area + cell] = value;
+                    old[plane * area + cell] = value;
+                }
+            }
+        }
+    }
+}
+
+/// What the wave of one patch reads.
+pub struct Wave<'a> {
+    /// The patch now: 4·cells² values.
+    pub now: &'a [f32],
+    /// Neighbours now along −x, +x, −z, +z; `None` where one sleeps.
+    pub neighbours: [Option<&'a [f32]>; 4],
+    /// β_eq.
+    pub rest: &'a Rest,
+    /// Ground.
+    pub slopes: &'a Slopes,
+    /// |β| below which no limit can bind, rad.
+    pub safe_limit: f32,
+    /// 1 where a body holds a cell; empty if none.
+    pub held: &'a [u8],
+    /// Share of the deviation kept: 1, less while the patch fades.
+    pub keep: f32,
+}
+
+/// Working rows of one thread.
+#[derive(Default)]
+pub struct Scratch {
+    middle: [Vec<f32>; 4],
+    outside: [Vec<f32>; 4],
+    rest: [Vec<f32>; 2],
+}
+
+impl Scratch {
+    fn resize(&mut self, cells: usize) {
+        self.middle.iter_mut().for_each(|row| row.resize(cells + 2, 0.0));
+        self.outside.iter_mut().for_each(|row| row.resize(cells, 0.0));
+        self.rest.iter_mut().for_each(|row| row.resize(cells, 0.0));
+    }
+}
+
+fn planes(patch: &[f32], cells: usize, row: usize) -> [&[f32]; 4] {
+    [0, 1, 2, 3].map(|plane| &patch[(plane * cells + row) * cells..][..cells])
+}
+
+fn planes_mut(patch: &mut [f32], cells: usize, row: usize) -> Option<[&mut [f32]; 4]> {
+    let mut rows = patch.chunks_exact_mut(cells).skip(row).step_by(cells);
+    Some([rows.next()?, rows.next()?, rows.next()?, rows.next()?])
+}
+
+/// The row beyond the patch: of the awake neighbour, or at rest.
+fn outside<'a>(wave: &Wave<'a>, side: usize, cells: usize, rows: &'a mut [Vec<f32>; 4]) -> [&'a [f32]; 4] {
+    let (neighbour_row, j) = if side == 2 { (cells - 1, -1) } else { (0, cells as i32) };
+    if let Some(neighbour) = wave.neighbours[side] {
+        return planes(neighbour, cells, neighbour_row);
+    }
+    let [x, z, wx, wz] = rows;
+    wave.rest.row(j, [x, z]);
+    wx.fill(0.0);
+    wz.fill(0.0);
+    [x, z, wx, wz]
+}
+
+fn fill_middle(wave: &Wave, cells: usize, j: usize, middle: &mut [Vec<f32>; 4]) {
+    let side = |which: usize, column: usize, i: i32| match wave.neighbours[which] {
+        Some(neighbour) => planes(neighbour, cells, j).map(|row| row[column]),
+        None => {
+            let rest = wave.rest.at(i, j as i32);
+            [rest[0], rest[1], 0.0, 0.0]
+        }
+    };
+    let (left, right) = (side(0, cells - 1, -1), side(1, 0, cells as i32));
+    for (plane, row) in planes(wave.now, cells, j).into_iter().enumerate() {
+        middle[plane][0] = left[plane];
+        middle[plane][1..=cells].copy_from_slice(row);
+        middle[plane][cells + 1] = right[plane];
+    }
+}
+
+#[inline(always)]
+fn summarise(next: &[&mut [f32]; 4], rest: [&[f32]; 2], j: usize, summary: &mut [u32; 5]) {
+    let cells = next[0].len();
+    let at = |i: usize| deviation([next[0][i], next[1][i], next[2][i], next[3][i]], [rest[0][i], rest[1][i]]).to_bits();
+    let mut largest = 0;
+    for i in 0..cells {
+        let bits = at(i);
+        largest = if bits > largest { bits } else { largest };
+    }
+    summary[0] = summary[0].max(largest);
+    for i in 0..BAND.min(cells) {
+        summary[1] = summary[1].max(at(i));
+        summary[2] = summary[2].max(at(cells - 1 - i));
+    }
+    if j < BAND {
+        summary[3] = summary[3].max(largest);
+    }
+    if j + BAND >= cells {
+        summary[4] = summary[4].max(largest);
+    }
+}
+
+/// One substep of the wave over one patch: `old` holds the past and receives the future.
+#[inline(always)]
+pub fn step_patch(co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32], scratch: &mut Scratch) -> Summary {
+    scratch.resize(cells);
+    let (mut squares, mut clamped) = ([0_u32; 5], 0);
+    let safe = [(wave.safe_limit * wave.safe_limit).to_bits(), (RATE_LIMIT * RATE_LIMIT * 0.9999).to_bits()];
+    for j in 0..cells {
+        fill_middle(wave, cells, j, &mut scratch.middle);
+        let [rest_x, rest_z] = &mut scratch.rest;
+        wave.rest.row(j as i32, [rest_x, rest_z]);
+        let rest = [&scratch.rest[0][..cells], &scratch.rest[1][..cells]];
+        let inner = |row: usize| planes(wave.now, cells, row);
+        let (first, last) = (j == 0, j + 1 == cells);
+        let (before, after) = match (first, last) {
+            (true, _) => (outside(wave, 2, cells, &mut scratch.outside), inner(j + 1)),
+            (_, true) => (inner(j - 1), outside(wave, 3, cells, &mut scratch.outside)),
+            _ => (inner(j - 1), inner(j + 1)),
+        };
+        let held = if wave.held.is_empty() { wave.held } else { &wave.held[j * cells..][..cells] };
+        let middle = [0, 1, 2, 3].map(|plane| &scratch.middle[plane][..]);
+        let input = RowInput { middle, before, after, rest, held };
+        let Some(mut next) = planes_mut(old, cells, j) else { continue };
+        let peak: RowPeak = propagate_row(co, &input, &mut next);
+        keep_held(&input, &mut next);
+        if peak.bend > safe[0] || peak.rate > safe[1] {
+            clamped += limit_row(&mut next, wave.slopes.row(cells, j), held);
+        }
+        if wave.keep < 1.0 {
+            fade_row(&mut next, rest, wave.keep);
+        }
+        summarise(&next, rest, j, &mut squares);
+    }
+    let [largest, borders @ ..] = squares.map(f32::from_bits);
+    Summary { largest, borders, clamped }
+}
+
+/// A patch that wakes: both time levels at rest.
+pub fn wake_patch(cells: usize, rest: &Rest, now: &mut [f32], old: &mut [f32]) {
+    for j in 0..cells {
+        if let Some([x, z, wx, wz]) = planes_mut(now, cells, j) {
+            rest.row(j as i32, [x, z]);
+            wx.fill(0.0);
+            wz.fill(0.0);
+        }
+    }
+    old.copy_from_slice(now);
+}

@@ -1,0 +1,222 @@
+//! One step of a stand on the CPU. Patches are independent of each other, so threads do not change the result.
+
+#[cfg(feature = "parallel")]
+use rayon::prelude::*;
+
+use super::coefficients::safe_limit;
+use super::lag::{cascade, from_history, look_up_offset};
+use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
+use super::rest::Rest;
+use crate::interaction::Contact;
+use crate::lanes::Lanes;
+use crate::model::{Model, StandModel};
+use crate::plan::{PatchPlan, StandPlan};
+use crate::state::{Cells, NONE, PatchKey, Slopes, Summary};
+
+/// One awake patch at work.
+struct Task<'a> {
+    plan: &'a PatchPlan,
+    rest: Rest,
+    held: Vec<u8>,
+}
+
+/// Runs `work` over the tasks, on all cores where the feature is on.
+fn each<T: Send, R: Send>(tasks: Vec<T>, work: impl Fn(T) -> R + Sync + Send) -> Vec<R> {
+    #[cfg(feature = "parallel")]
+    return tasks.into_par_iter().map(work).collect();
+    #[cfg(not(feature = "parallel"))]
+    tasks.into_iter().map(work).collect()
+}
+
+/// Pairs each task with the two time levels of its slot.
+fn with_levels<'a, 'b>(tasks: &'a mut [Task<'b>], cells: &'a mut Cells) -> Vec<(&'a mut Task<'b>, &'a mut [f32], &'a mut [f32], &'a mut Slopes)> {
+    let mut order: Vec<&mut Task> = tasks.iter_mut().collect();
+    order.sort_by_key(|task| task.plan.slot);
+    let mut order = order.into_iter().peekable();
+    let levels = cells.now.iter_mut().zip(&mut cells.old).zip(&mut cells.slopes).enumerate();
+    let mut paired = Vec::new();
+    for (slot, ((now, old), slopes)) in levels {
+        if order.peek().is_some_and(|task| task.plan.slot as usize == slot) && let Some(task) = order.next() {
+            paired.push((task, &mut now[..], &mut old[..], slopes));
+        }
+    }
+    paired
+}
+
+/// Ground under the cells of a patch.
+pub(crate) fn slopes_of(model: &Model, stand: &StandModel, patch: PatchKey) -> Slopes {
+    if model.terrain.is_flat() {
+        return Slopes::default();
+    }
+    let anchor = model.terrain.anchor(patch.map(|p| f64::from(p) * model.patch_side));
+    let cells = stand.cells as usize;
+    let area = cells * cells;
+    let mut values = vec![0.0; 2 * area].into_boxed_slice();
+    let mut steepest = 0.0_f32;
+    for cell in 0..area {
+        let centre = [cell % cells, cell / cells].map(|k| (k as f32 + 0.5) * stand.spacing as f32);
+        let [x, z] = model.terrain.gradient(anchor, centre);
+        (values[cell], values[area + cell]) = (x, z);
+        let steep = (x * x + z * z).sqrt();
+        steepest = if steep > steepest { steep } else { steepest };
+    }
+    Slopes { values, steepest }
+}
+
+fn touch(model: &Model, stand: &StandModel, plan: &StandPlan, task: &mut Task, levels: (&mut [f32], &mut [f32]), slopes: &Slopes) {
+    let cells = stand.cells as usize;
+    let contacts: Vec<(Contact, [i32; 2])> =
+        plan.pairs[task.plan.pairs.clone()].iter().map(|pair| (plan.contacts[pair.contact as usize], pair.corner)).collect();
+    if contacts.is_empty() {
+        return;
+    }
+    let anchor = model.terrain.anchor(task.plan.patch.map(|p| f64::from(p) * model.patch_side));
+    let centre = |k: i32| (k as f32 + 0.5) * stand.spacing as f32;
+    let ground = |i: i32, j: i32| model.terrain.height(anchor, [centre(i), centre(j)]);
+    task.held = vec![0; cells * cells];
+    let by = PatchContacts { contacts: &contacts, edges: &plan.edges, ground: &ground };
+    touch_patch(&stand.coefficients, cells, &by, slopes, levels.0, levels.1, &mut task.held);
+}
+
+/// Makes room for the slots a plan names.
+fn reserve(cells: &mut Cells, plan: &StandPlan, area: usize) {
+    let empty = || vec![0.0; 4 * area].into_boxed_slice();
+    for patch in &plan.patches {
+        while cells.now.len() <= patch.slot as usize {
+            cells.now.push(empty());
+            cells.old.push(empty());
+            cells.slopes.push(Slopes::default());
+        }
+    }
+}
+
+/// contact → wave → limits of one stand; returns what activation wants to know of each patch. `cells.now` is one step on afterwards.
+pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cells, lanes: Lanes) -> Vec<(PatchKey, Summary)> {
+    let side = stand.cells as usize;
+    reserve(cells, plan, side * side);
+    let k_w = stand.species.continuum.wind;
+    let mut tasks: Vec<Task> =
+        each(plan.patches.iter().collect(), |patch| Task { plan: patch, rest: Rest::of(&plan.wind, patch.patch, stand.cells, k_w), held: Vec::new() });
+    each(with_levels(&mut tasks, cells), |(task, now, old, slopes)| {
+        if task.plan.woken {
+            wake_patch(side, &task.rest, now, old);
+            *slopes = slopes_of(model, stand, task.plan.patch);
+        }
+        touch(model, stand, plan, task, (now, old), slopes);
+    });
+    let mut summaries = Vec::new();
+    for substep in 0..stand.substeps {
+        let (now, slopes) = (&cells.now, &cells.slopes);
+        let mut olds: Vec<Option<&mut Box<[f32]>>> = cells.old.iter_mut().map(Some).collect();
+        let work: Vec<(&Task, &mut Box<[f32]>)> =
+            tasks.iter().filter_map(|task| olds[task.plan.slot as usize].take().map(|old| (task, old))).collect();
+        let last = substep + 1 == stand.substeps;
+        summaries = each(work, |(task, old)| {
+            let slot = task.plan.slot as usize;
+            let wave = Wave {
+                now: &now[slot],
+                neighbours: [0, 1, 2, 3].map(|side| task.plan.neighbour(side).map(|slot| &now[slot][..])),
+                rest: &task.rest,
+                slopes: &slopes[slot],
+                safe_limit: safe_limit(slopes[slot].steepest),
+                held: &task.held,
+                keep: if last { task.plan.keep } else { 1.0 },
+            };
+            let summary = lanes.run(|| step_patch(&stand.coefficients, side, &wave, old, &mut Scratch::default()));
+            (task.plan.patch, summary)
+        });
+        std::mem::swap(&mut cells.now, &mut cells.old);
+    }
+    summaries
+}
+
+/// Upper segments of the patches that keep them, after [`step`]. `index` counts steps, for the ring of `history`.
+pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64, lanes: Lanes) {
+    let lag = &stand.lag;
+    if lag.segments < 2 {
+        return;
+    }
+    let area = (stand.cells * stand.cells) as usize;
+    let upper = (lag.segments as usize - 1) * 2 * area;
+    let ring = if lag.kind == 1 { lag.ring as usize * 2 * area } else { 0 };
+    for patch in plan.patches.iter().filter(|patch| patch.lag != NONE) {
+        while cells.lag.len() <= patch.lag as usize {
+            cells.lag.push(vec![0.0; upper].into_boxed_slice());
+            cells.history.push(vec![0.0; ring].into_boxed_slice());
+        }
+    }
+    let now = &cells.now;
+    let mut slots: Vec<Option<(&mut Box<[f32]>, &mut Box<[f32]>)>> = cells.lag.iter_mut().zip(&mut cells.history).map(Some).collect();
+    let work: Vec<_> = plan
+        .patches
+        .iter()
+        .filter(|patch| patch.lag != NONE)
+        .filter_map(|patch| slots[patch.lag as usize].take().map(|(upper, history)| (patch, upper, history)))
+        .collect();
+    each(work, |(patch, upper, history)| {
+        let bend = [&now[patch.slot as usize][..area], &now[patch.slot as usize][area..2 * area]];
+        if patch.lag_woken {
+            upper.chunks_exact_mut(area).enumerate().for_each(|(plane, out)| out.copy_from_slice(bend[plane % 2]));
+            history.chunks_exact_mut(area).enumerate().for_each(|(plane, out)| out.copy_from_slice(bend[plane % 2]));
+        }
+        match lag.kind {
+            0 => lanes.run(|| cascade(lag, bend, upper)),
+            1 => remember(stand, bend, upper, history, index),
+            _ => look_up(stand, patch, now, upper),
+        }
+    });
+}
+
+fn remember(stand: &StandModel, bend: [&[f32]; 2], upper: &mut [f32], history: &mut [f32], index: u64) {
+    let (area, ring) = (bend[0].len(), u64::from(stand.lag.ring));
+    let frame = |back: u64| ((index + ring - back % ring) % ring) as usize * 2 * area;
+    history[frame(0)..][..area].copy_from_slice(bend[0]);
+    history[frame(0) + area..][..area].copy_from_slice(bend[1]);
+    for segment in 1..stand.lag.segments {
+        let plane = (segment as usize - 1) * 2 * area;
+        for cell in 0..area {
+            let past = |back: u32| [history[frame(u64::from(back)) + cell], history[frame(u64::from(back)) + area + cell]];
+            [upper[plane + cell], upper[plane + area + cell]] = from_history(&stand.lag, segment, past);
+        }
+    }
+}
+
+/// β of a cell that may lie in a neighbour; beyond awake neighbours the patch's own border stands in.
+fn bend_at(patch: &PatchPlan, now: &[Box<[f32]>], side: i32, i: i32, j: i32) -> [f32; 2] {
+    let step = |k: i32| if k < 0 { -1 } else { i32::from(k >= side) };
+    let (dx, dz) = (step(i), step(j));
+    let neighbour = match (dx, dz) {
+        (-1, 0) => patch.neighbour(0),
+        (1, 0) => patch.neighbour(1),
+        (0, -1) => patch.neighbour(2),
+        (0, 1) => patch.neighbour(3),
+        _ => None,
+    };
+    let (slot, i, j) = match neighbour {
+        Some(slot) => (slot, i - dx * side, j - dz * side),
+        None => (patch.slot as usize, i, j),
+    };
+    let cell = (j.clamp(0, side - 1) * side + i.clamp(0, side - 1)) as usize;
+    [now[slot][cell], now[slot][(side * side) as usize + cell]]
+}
+
+fn look_up(stand: &StandModel, patch: &PatchPlan, now: &[Box<[f32]>], upper: &mut [f32]) {
+    let (side, area) = (stand.cells as i32, (stand.cells * stand.cells) as usize);
+    let cells = &now[patch.slot as usize];
+    for cell in 0..area {
+        let [bend, rate] = [0, 2].map(|plane| [cells[plane * area + cell], cells[(plane + 1) * area + cell]]);
+        let speed = stand.coefficients.wave_speed(rate[0] * rate[0] + rate[1] * rate[1]);
+        for segment in 1..stand.lag.segments {
+            let offset = look_up_offset(&stand.lag, segment, bend, rate, speed).map(|metres| metres / stand.spacing as f32);
+            let at = [cell as i32 % side, cell as i32 / side];
+            let whole = offset.map(|cells| cells.floor());
+            let [fx, fz] = [offset[0] - whole[0], offset[1] - whole[1]];
+            let corner = |dx: i32, dz: i32| bend_at(patch, now, side, at[0] + whole[0] as i32 + dx, at[1] + whole[1] as i32 + dz);
+            let (a, b, c, d) = (corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1));
+            for axis in 0..2 {
+                let (low, high) = (a[axis] + (b[axis] - a[axis]) * fx, c[axis] + (d[axis] - c[axis]) * fx);
+                upper[((segment as usize - 1) * 2 + axis) * area + cell] = low + (high - low) * fz;
+            }
+        }
+    }
+}

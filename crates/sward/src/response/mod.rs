@@ -1,0 +1,5 @@
+//! Responses: how plants move.
+//!
+//! To add one: a folder or file pair `x.rs` + `x.wgsl`, a variant of [`crate::scene::Response`] and an arm where the world steps.
+
+pub mod continuum;

@@ -1,0 +1,143 @@
+//! All that a step changes. Types only; every stage may read what the previous step left.
+
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+
+/// No slot.
+pub const NONE: u32 = u32::MAX;
+
+/// Patch coordinates, counted from the scene's origin patch (x, z).
+pub type PatchKey = [i32; 2];
+
+/// What a whole simulation holds.
+#[derive(Clone, Debug, Default)]
+pub struct State {
+    /// Steps done.
+    pub step: u64,
+    /// One entry per interactor of the scene, in its order.
+    pub bodies: Vec<BodyState>,
+    /// One entry per stand, in the scene's order.
+    pub stands: Vec<StandState>,
+    /// Points the last step cared about, m (x, z): the camera's, unless some are pinned.
+    pub focuses: Vec<[f64; 2]>,
+    /// Points set from code to be cared about instead of the camera's, m (x, z): for servers, replays and several players.
+    pub pinned: Vec<[f64; 2]>,
+    /// Wall-clock seconds handed in and not yet stepped.
+    pub pending_seconds: f64,
+    /// Steps that `advance` dropped because the caller came too late.
+    pub dropped_steps: u64,
+}
+
+/// A body now and one step ago.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyState {
+    /// Pose after the last step; `None` while the body is away.
+    pub pose: Option<crate::interaction::Pose>,
+    /// Pose before it; equal to `pose` where the body appeared or jumped.
+    pub before: Option<crate::interaction::Pose>,
+    /// Set from code: (ground m, yaw rad, clearance m), used at the next step by bodies on a driven path.
+    pub driven: Option<([f64; 2], f64, f64)>,
+}
+
+/// Patches of one stand.
+#[derive(Clone, Debug, Default)]
+pub struct StandState {
+    /// Awake patches, in key order: the order of every list and hash.
+    pub awake: BTreeMap<PatchKey, Awake>,
+    /// Slots that no patch uses, lowest first.
+    pub free: BTreeSet<u32>,
+    /// Lag slots that no patch uses, lowest first.
+    pub lag_free: BTreeSet<u32>,
+    /// Summaries of past steps that activation has not read yet, oldest first.
+    pub summaries: VecDeque<Vec<(PatchKey, Summary)>>,
+    /// Cells of each slot; empty where a GPU holds them.
+    pub cells: Cells,
+    /// Counters since the start.
+    pub counters: Counters,
+}
+
+/// One awake patch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Awake {
+    /// Where its cells are stored.
+    pub slot: u32,
+    /// Where its upper segments are stored, or [`NONE`].
+    pub lag: u32,
+    /// Steps in a row at rest.
+    pub rest: u32,
+    /// Steps left until it sleeps; 0 = it does not fade.
+    pub fading: u32,
+    /// It woke in the step being taken and must be set to rest first.
+    pub woken: bool,
+    /// Its lag slot is new and must be set from β.
+    pub lag_woken: bool,
+    /// Only the focus keeps it awake: no body or neighbour has pushed it.
+    pub wind_only: bool,
+}
+
+/// Cells on the CPU. Planar per patch: βx, βz, ωx, ωz, each cells², row-major.
+#[derive(Clone, Debug, Default)]
+pub struct Cells {
+    /// Time level n, per slot; 4·cells² values or empty.
+    pub now: Vec<Box<[f32]>>,
+    /// Time level n−1 (before the step) or n+1 (after it), likewise.
+    pub old: Vec<Box<[f32]>>,
+    /// Upper segments per lag slot: β_1x, β_1z, β_2x, … each cells².
+    pub lag: Vec<Box<[f32]>>,
+    /// Past β for the `history` lag, per lag slot: ring of [βx, βz] pairs of planes.
+    pub history: Vec<Box<[f32]>>,
+    /// Ground under each slot's cells; derived, kept while the patch is awake.
+    pub slopes: Vec<Slopes>,
+}
+
+/// Slope of the ground under each cell of a patch: ∂height/∂x and ∂height/∂z planes; empty on flat ground.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Slopes {
+    /// 2·cells² values or none.
+    pub values: Box<[f32]>,
+    /// Steepest of them.
+    pub steepest: f32,
+}
+
+impl Slopes {
+    /// Slope at a cell.
+    pub fn at(&self, cells: usize, cell: usize) -> [f32; 2] {
+        if self.values.is_empty() { [0.0, 0.0] } else { [self.values[cell], self.values[cells * cells + cell]] }
+    }
+
+    /// Slopes of a row, or empty on flat ground.
+    pub fn row(&self, cells: usize, j: usize) -> [&[f32]; 2] {
+        if self.values.is_empty() {
+            return [&[], &[]];
+        }
+        let area = cells * cells;
+        [&self.values[j * cells..][..cells], &self.values[area + j * cells..][..cells]]
+    }
+}
+
+/// What activation needs to know of a patch after a step: squared deviations max(|β − β_eq|², |ω|²).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// Largest in the patch.
+    pub largest: f32,
+    /// Largest in the bands along −x, +x, −z, +z.
+    pub borders: [f32; 4],
+    /// Cells scaled back by the limits.
+    pub clamped: u32,
+}
+
+/// What happened so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Patches woken.
+    pub woken: u64,
+    /// Patches put to sleep at rest.
+    pub slept: u64,
+    /// Patches released because the budget was full.
+    pub released: u64,
+    /// Requests refused because the budget was full of nearer patches.
+    pub denied: u64,
+    /// Cell updates scaled back by the limits.
+    pub clamped: u64,
+    /// Patch updates.
+    pub patch_steps: u64,
+}

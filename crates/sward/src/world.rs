@@ -1,0 +1,291 @@
+//! The world: a scene, its compiled model and its state. One step is one page.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::activation::{BAND, Circumstances, activate, keep};
+use crate::interaction::{Footprint, Grid, Pose, pose_on_path, stand_on, swept};
+use crate::lanes::Lanes;
+use crate::model::{Assets, Model, StandModel, rebased};
+use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan};
+use crate::response::continuum;
+use crate::scene::{Path, Scene, SceneError};
+use crate::state::{BodyState, NONE, PatchKey, State, Summary};
+use crate::view::View;
+use crate::wind::WindField;
+
+/// Faster than this, m/s, a body has jumped: it sweeps nothing.
+const JUMP: f64 = 150.0;
+
+/// A simulation on the CPU, or the planning half of one on a GPU.
+///
+/// ```
+/// use sward::{model::NoAssets, scene::Scene, world::World};
+/// let text = "(version: 1, stands: [(species: Meadow)], interactors: [(shape: Sphere(radius: 1), path: Circle(radius: 5, speed: 4))])";
+/// let mut world = World::new(Scene::parse(text, "hello.ron")?, &NoAssets)?;
+/// for _ in 0..60 { world.step(); }
+/// assert!(world.bend_at(0, [5.0, 0.0]).is_some());
+/// # Ok::<(), sward::scene::SceneError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct World {
+    /// What the author wrote.
+    pub scene: Scene,
+    /// What a step reads.
+    pub model: Model,
+    /// What a step changes.
+    pub state: State,
+    /// Instructions the CPU kernels use; results do not depend on it.
+    pub lanes: Lanes,
+}
+
+impl World {
+    /// Compiles a scene and puts everything at rest at time 0. All positions of a world are metres from the corner of the scene's
+    /// origin patch: what the author wrote is rebased here, once, in f64.
+    pub fn new(scene: Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
+        let scene = rebased(scene);
+        let model = Model::compile(&scene, assets)?;
+        let mut state = State { bodies: vec![BodyState::default(); scene.interactors.len()], ..State::default() };
+        for stand in &model.stands {
+            let slots = 0..scene.budget.patches;
+            let lag_slots = 0..lag_capacity(&scene, stand);
+            state.stands.push(crate::state::StandState { free: slots.collect(), lag_free: lag_slots.collect(), ..Default::default() });
+        }
+        let mut world = Self { scene, model, state, lanes: Lanes::default() };
+        for index in 0..world.state.bodies.len() {
+            let pose = world.pose(index, 0.0);
+            (world.state.bodies[index].pose, world.state.bodies[index].before) = (pose, pose);
+        }
+        Ok(world)
+    }
+
+    /// Time of the state, s.
+    pub fn time(&self) -> f64 {
+        self.state.step as f64 * self.model.dt
+    }
+
+    /// The scene's camera at the time of the state.
+    pub fn camera(&self) -> View {
+        View::of(&self.scene, &self.model, &self.state, self.time())
+    }
+
+    /// One fixed step on the CPU.
+    pub fn step(&mut self) {
+        let plan = self.plan();
+        let summaries = self.respond(&plan);
+        self.finish(summaries);
+    }
+
+    /// Runs the whole steps that `seconds` of wall time hold, at most `budget.catch_up`; drops and counts the rest. Returns the steps run.
+    pub fn advance(&mut self, seconds: f64) -> u32 {
+        let steps = self.take_steps(seconds);
+        (0..steps).for_each(|_| self.step());
+        steps
+    }
+
+    /// The accumulator of [`World::advance`] for a backend that steps elsewhere.
+    pub fn take_steps(&mut self, seconds: f64) -> u32 {
+        let pending = self.state.pending_seconds + if seconds.is_finite() { seconds.max(0.0) } else { 0.0 };
+        let whole = (pending / self.model.dt + 1e-9).floor().max(0.0);
+        self.state.pending_seconds = (pending - whole * self.model.dt).max(0.0);
+        let steps = whole.min(f64::from(self.scene.budget.catch_up));
+        self.state.dropped_steps += (whole - steps) as u64;
+        steps as u32
+    }
+
+    /// Bodies → wind → activation: everything about the coming step that is decided before a cell moves.
+    pub fn plan(&mut self) -> Plan {
+        let footprints = self.move_bodies();
+        let camera = self.camera();
+        self.state.focuses = if self.state.pinned.is_empty() { vec![camera.focus()] } else { self.state.pinned.clone() };
+        let mut stands = Vec::new();
+        for (index, footprints) in footprints.iter().enumerate() {
+            self.activate(index, footprints, &camera);
+            stands.push(self.plan_stand(index, footprints));
+        }
+        Plan { step: self.state.step, stands }
+    }
+
+    /// The response of every stand on the CPU.
+    fn respond(&mut self, plan: &Plan) -> Vec<Vec<(PatchKey, Summary)>> {
+        let mut summaries = Vec::new();
+        for ((stand, plan_of), state) in self.model.stands.iter().zip(&plan.stands).zip(&mut self.state.stands) {
+            summaries.push(continuum::step(&self.model, stand, plan_of, &mut state.cells, self.lanes));
+            continuum::lags(stand, plan_of, &mut state.cells, plan.step, self.lanes);
+        }
+        summaries
+    }
+
+    /// Ends a step: files what each stand's patches reported.
+    pub fn finish(&mut self, summaries: Vec<Vec<(PatchKey, Summary)>>) {
+        for (stand, summary) in self.state.stands.iter_mut().zip(summaries) {
+            stand.counters.patch_steps += summary.len() as u64;
+            stand.summaries.push_back(summary);
+        }
+        self.state.step += 1;
+    }
+
+    /// Moves a body on a driven path: ground position [m], yaw [rad], clearance [m]. Takes effect in the next step. A body moved
+    /// faster than 150 m/s jumps. Unknown or undriven bodies are left alone; returns whether the body is driven.
+    pub fn drive(&mut self, body: usize, ground: [f64; 2], yaw: f64, clearance: f64) -> bool {
+        let finite = ground.iter().chain([&yaw, &clearance]).all(|value| value.is_finite());
+        let driven = matches!(self.scene.interactors.get(body).map(|interactor| &interactor.path), Some(Path::Driven(_)));
+        if driven && finite && let Some(state) = self.state.bodies.get_mut(body) {
+            state.driven = Some((ground, yaw, clearance));
+        }
+        driven && finite
+    }
+
+    /// β [rad] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps.
+    /// `None` for an unknown stand.
+    pub fn bend_at(&self, stand: usize, ground: [f64; 2]) -> Option<[f32; 2]> {
+        let (model, state) = (self.model.stands.get(stand)?, self.state.stands.get(stand)?);
+        let side = i64::from(model.cells);
+        let cell = ground.map(|metres| (metres / model.spacing).floor() as i64);
+        let patch = cell.map(|k| k.div_euclid(side) as i32);
+        let [i, j] = cell.map(|k| k.rem_euclid(side));
+        match state.awake.get(&patch).and_then(|awake| state.cells.now.get(awake.slot as usize)) {
+            Some(cells) => {
+                let at = (j * side + i) as usize;
+                Some([cells[at], cells[(side * side) as usize + at]])
+            }
+            None => Some(continuum::Rest::of(&self.wind(model), patch, model.cells, model.species.continuum.wind).at(i as i32, j as i32)),
+        }
+    }
+
+    /// The wind of the coming step on the nodes of a stand.
+    pub fn wind(&self, stand: &StandModel) -> WindField {
+        WindField::at(&self.model.sources, self.state.step, self.model.dt, stand.spacing * f64::from(continuum::NODE_CELLS))
+    }
+
+    fn pose(&self, index: usize, time: f64) -> Option<Pose> {
+        let (interactor, body) = (&self.scene.interactors[index], &self.model.bodies[index]);
+        if time < interactor.from || time >= interactor.until {
+            return None;
+        }
+        let driven = match interactor.path {
+            Path::Driven(_) => self.state.bodies[index].driven,
+            _ => None,
+        };
+        Some(match driven {
+            Some((ground, yaw, clearance)) => stand_on(ground, yaw, clearance, body.half, interactor.follow_ground, &self.model.terrain),
+            None => pose_on_path(interactor, body.half, &self.model.terrain, time),
+        })
+    }
+
+    /// Poses at the end of the coming step, and the footprints each stand sees, in body order.
+    fn move_bodies(&mut self) -> Vec<Vec<Footprint>> {
+        let time = (self.state.step + 1) as f64 * self.model.dt;
+        for index in 0..self.state.bodies.len() {
+            let next = self.pose(index, time);
+            let body = &mut self.state.bodies[index];
+            let jumped = |from: &Pose, to: &Pose| {
+                let way = [to.ground[0] - from.ground[0], to.ground[1] - from.ground[1]];
+                (way[0] * way[0] + way[1] * way[1]).sqrt() > JUMP * self.model.dt
+            };
+            body.before = match (&body.pose, &next) {
+                (Some(from), Some(to)) if !jumped(from, to) => Some(*from),
+                _ => next,
+            };
+            body.pose = next;
+        }
+        self.model.stands.iter().map(|stand| self.footprints(stand)).collect()
+    }
+
+    fn footprints(&self, stand: &StandModel) -> Vec<Footprint> {
+        let grid = Grid { spacing: stand.spacing, plant_height: stand.coefficients.plant_height };
+        let mut footprints = Vec::new();
+        for (index, (body, state)) in self.model.bodies.iter().zip(&self.state.bodies).enumerate() {
+            let (Some(before), Some(now)) = (&state.before, &state.pose) else { continue };
+            footprints.extend(body.pieces.iter().filter_map(|piece| swept(piece, before, now, self.model.dt, &grid, index as u32)));
+        }
+        footprints
+    }
+
+    fn activate(&mut self, index: usize, footprints: &[Footprint], camera: &View) {
+        let stand = &self.model.stands[index];
+        let margin = BAND as i64 + 1;
+        let side = i64::from(stand.cells);
+        let mut touched = BTreeSet::new();
+        for footprint in footprints.iter().filter(|footprint| reaches(&self.model, footprint, stand)) {
+            for patch in patches_under(footprint, side, margin) {
+                touched.insert(patch);
+            }
+        }
+        let budget = &self.scene.budget;
+        let by = Circumstances {
+            touched: &touched,
+            focuses: &self.state.focuses,
+            in_view: &|patch| camera.sees(patch, self.model.patch_side),
+            field: self.model.field,
+            patch_side: self.model.patch_side,
+            focus_distance: f64::from(budget.focus_distance),
+            lag_distance: f64::from(budget.lag_distance),
+            gusty: self.model.gusty && stand.species.continuum.wind > 0.0,
+            tolerance: stand.tolerance,
+            rate: f64::from(self.model.rate),
+        };
+        activate(&mut self.state.stands[index], &by);
+    }
+
+    fn plan_stand(&self, index: usize, footprints: &[Footprint]) -> StandPlan {
+        let (stand, state) = (&self.model.stands[index], &self.state.stands[index]);
+        let side = i64::from(stand.cells);
+        let mut plan = StandPlan { wind: self.wind(stand), ..StandPlan::default() };
+        let mut reached: BTreeMap<PatchKey, Vec<ContactPair>> = BTreeMap::new();
+        for footprint in footprints {
+            let contact = plan.contacts.len() as u32;
+            plan.contacts.push(crate::interaction::Contact { edge_first: plan.edges.len() as u32, ..footprint.contact });
+            plan.edges.extend(&footprint.edges);
+            for patch in patches_under(footprint, side, 0) {
+                let corner = [0, 1].map(|axis| (footprint.corner[axis] - i64::from(patch[axis]) * side) as i32);
+                reached.entry(patch).or_default().push(ContactPair { contact, corner });
+            }
+        }
+        for (patch, awake) in &state.awake {
+            let first = plan.pairs.len();
+            plan.pairs.extend(reached.remove(patch).unwrap_or_default());
+            let slot = |dx: i32, dz: i32| state.awake.get(&[patch[0].wrapping_add(dx), patch[1].wrapping_add(dz)]).map_or(NONE, |awake| awake.slot);
+            plan.patches.push(PatchPlan {
+                patch: *patch,
+                slot: awake.slot,
+                lag: awake.lag,
+                neighbours: [slot(-1, 0), slot(1, 0), slot(0, -1), slot(0, 1)],
+                keep: keep(awake),
+                woken: awake.woken,
+                lag_woken: awake.lag_woken,
+                pairs: first..plan.pairs.len(),
+            });
+        }
+        plan
+    }
+}
+
+/// Patches under a footprint grown by `margin` cells.
+fn patches_under(footprint: &Footprint, side: i64, margin: i64) -> impl Iterator<Item = PatchKey> {
+    let range = |axis: usize| {
+        let low = (footprint.corner[axis] - margin).div_euclid(side);
+        let high = (footprint.corner[axis] + i64::from(footprint.contact.size[axis]) - 1 + margin).div_euclid(side);
+        low as i32..=high as i32
+    };
+    let (xs, zs) = (range(0), range(1));
+    zs.flat_map(move |z| xs.clone().map(move |x| [x, z]))
+}
+
+/// Whether a body flies too high to touch anything: its underside against the ground below its centre, with room for slopes.
+fn reaches(model: &Model, footprint: &Footprint, stand: &StandModel) -> bool {
+    let contact = &footprint.contact;
+    let centre = [0, 1].map(|axis| footprint.corner[axis] as f64 * stand.spacing + f64::from(contact.end[axis]));
+    let ground = model.terrain.height_at(centre[0], centre[1]);
+    let lowest = f64::from(contact.end[2].min(contact.start[2]) - contact.rise);
+    let reach = 0.5 * stand.spacing * f64::from(contact.size[0].max(contact.size[1]));
+    lowest - ground < f64::from(stand.coefficients.plant_height) + reach
+}
+
+/// Patches that can keep upper segments: as many as fit a disc of the lag distance and half a patch around one focus.
+fn lag_capacity(scene: &Scene, stand: &StandModel) -> u32 {
+    if stand.lag.segments < 2 {
+        return 0;
+    }
+    let radius = f64::from(scene.budget.lag_distance / scene.field.patch_side) + 0.75;
+    ((std::f64::consts::PI * radius * radius).ceil() as u32).min(scene.budget.patches)
+}
