@@ -1,1 +1,5 @@
 //! Vegetation that reacts.
+
+#![forbid(unsafe_code)]
+
+pub mod math;
