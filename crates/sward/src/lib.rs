@@ -4,3 +4,4 @@
 
 pub mod math;
 pub mod terrain;
+pub mod wind;

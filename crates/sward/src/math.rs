@@ -69,6 +69,17 @@ pub fn clamped(x: f32, low: f32, high: f32) -> f32 {
     lower(upper(x, low), high)
 }
 
+/// The whole number at or below x (`floor` in WGSL), 0 for NaN; beyond ±2³¹ the nearest `i32`.
+#[inline(always)]
+pub fn floored(x: f32) -> i32 {
+    let towards_zero = x as i32;
+    if (towards_zero as f32) > x {
+        towards_zero.wrapping_sub(1)
+    } else {
+        towards_zero
+    }
+}
+
 #[inline(always)]
 fn magnitude(x: f32) -> f32 {
     f32::from_bits(x.to_bits() & 0x7fff_ffff)

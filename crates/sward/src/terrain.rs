@@ -10,10 +10,10 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-use crate::math::clamped;
+use crate::math::{clamped, floored};
 pub use error::TerrainError;
 use error::check;
-use surface::{floored, mirrored, period, surface_f32, surface_f64};
+use surface::{mirrored, period, surface_f32, surface_f64};
 
 /// The text of the WGSL twin. It needs `math.wgsl` and a function `terrain_load(index: i32) -> f32` from its host.
 pub const WGSL: &str = include_str!("terrain.wgsl");

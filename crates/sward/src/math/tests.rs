@@ -169,6 +169,8 @@ fn every_argument_is_answered() {
     }
     assert_eq!(atan(f32::INFINITY), FRAC_PI_2);
     assert_eq!(atan(f32::NEG_INFINITY), -FRAC_PI_2);
+    let floors = [-2.5, -2.0, -0.1, -0.0, 0.9, 3e9, f32::NAN].map(floored);
+    assert_eq!(floors, [-3, -2, -1, 0, 0, i32::MAX, 0]);
     assert_eq!(cbrt(0.0), 0.0);
     assert_eq!(cbrt(-27.0), -3.0);
     for x in [0.0, -0.0] {

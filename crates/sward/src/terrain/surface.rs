@@ -15,16 +15,6 @@ pub(super) fn mirrored(index: i32, samples: i32) -> i32 {
     }
 }
 
-/// The whole number at or below x; saturates.
-pub(super) fn floored(x: f32) -> i32 {
-    let towards_zero = x as i32;
-    if (towards_zero as f32) > x {
-        towards_zero.wrapping_sub(1)
-    } else {
-        towards_zero
-    }
-}
-
 /// The Catmull-Rom surface over the middle of 4 × 4 samples, in one precision.
 ///
 /// Only differences from the sample before the place are weighted, so that high ground is as exact as low ground.
