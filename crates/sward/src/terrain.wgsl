@@ -1,0 +1,75 @@
+// The ground: bicubic Catmull-Rom over height samples, mirrored outside; twin of terrain.rs.
+// The host declares where the samples are: fn terrain_load(index: i32) -> f32, index = row * columns + column.
+
+struct TerrainGrid {
+    size: vec2<i32>,            // columns, rows
+    inverse_spacing: vec2<f32>, // samples per metre
+}
+
+struct TerrainAnchor {
+    index: vec2<i32>,    // within one mirrored period
+    fraction: vec2<f32>, // 0..=1
+}
+
+fn terrain_mirrored(index: i32, samples: i32) -> i32 {
+    let period = select(1, 2 * (samples - 1), samples > 1);
+    var within = index % period;
+    within = select(within, within + period, within < 0);
+    return select(period - within, within, within < samples);
+}
+
+fn terrain_weights(t: f32) -> vec4<f32> {
+    return vec4<f32>(
+        ((-0.5 * t + 1.0) * t - 0.5) * t,
+        (1.5 * t - 2.5) * t * t + 1.0,
+        ((-1.5 * t + 2.0) * t + 0.5) * t,
+        (0.5 * t - 0.5) * t * t,
+    );
+}
+
+fn terrain_slopes(t: f32) -> vec4<f32> {
+    return vec4<f32>(
+        (-1.5 * t + 2.0) * t - 0.5,
+        (4.5 * t - 5.0) * t,
+        (-4.5 * t + 4.0) * t + 0.5,
+        (1.5 * t - 1.0) * t,
+    );
+}
+
+// Four samples of a row around a column, above `base`.
+fn terrain_row(grid: TerrainGrid, row: i32, column: i32, base: f32) -> vec4<f32> {
+    let start = terrain_mirrored(row, grid.size.y) * grid.size.x;
+    return vec4<f32>(
+        terrain_load(start + terrain_mirrored(column - 1, grid.size.x)),
+        terrain_load(start + terrain_mirrored(column, grid.size.x)),
+        terrain_load(start + terrain_mirrored(column + 1, grid.size.x)),
+        terrain_load(start + terrain_mirrored(column + 2, grid.size.x)),
+    ) - vec4<f32>(base);
+}
+
+// Height [m], then slope along x and z [m/m], at `local` metres (x, z) from the anchor.
+fn terrain_height_and_gradient(grid: TerrainGrid, anchor: TerrainAnchor, local: vec2<f32>) -> vec3<f32> {
+    let place = anchor.fraction + local * grid.inverse_spacing;
+    let whole = floor(place);
+    let first = anchor.index + vec2<i32>(whole);
+    let way = vec2<f32>(math_clamped(place.x - whole.x, 0.0, 1.0), math_clamped(place.y - whole.y, 0.0, 1.0));
+    let base = terrain_load(
+        terrain_mirrored(first.y, grid.size.y) * grid.size.x + terrain_mirrored(first.x, grid.size.x));
+    let along_x = terrain_weights(way.x);
+    let slope_x = terrain_slopes(way.x);
+    let along_z = terrain_weights(way.y);
+    let slope_z = terrain_slopes(way.y);
+    var height = 0.0;
+    var gradient = vec2<f32>(0.0);
+    for (var j = 0; j < 4; j += 1) {
+        let above = terrain_row(grid, first.y + j - 1, first.x, base);
+        let row = dot(along_x, above);
+        height += along_z[j] * row;
+        gradient += vec2<f32>(along_z[j] * dot(slope_x, above), slope_z[j] * row);
+    }
+    return vec3<f32>(base + height, gradient * grid.inverse_spacing);
+}
+
+fn terrain_height(grid: TerrainGrid, anchor: TerrainAnchor, local: vec2<f32>) -> f32 {
+    return terrain_height_and_gradient(grid, anchor, local).x;
+}

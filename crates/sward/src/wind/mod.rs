@@ -1,0 +1,187 @@
+//! Wind: the velocity of the air over the ground, a sum of sources.
+//!
+//! Chen & Johan 2010 bend grass by natural wind; the noise is Belyaev et al. 2011, §3.3 (see [`noise`]). Wind is evaluated on
+//! nodes; phases are fixed-point numbers that wrap, so neighbouring patches agree bit for bit on the nodes they share, however
+//! far from home and however late. Writes: velocity \[m/s\] at nodes. Twins: `mod.wgsl`, `noise.wgsl`.
+
+pub mod noise;
+#[cfg(test)]
+mod tests;
+mod tile;
+
+use crate::math::{atan, cbrt, upper};
+pub use noise::Octave;
+use std::sync::Arc;
+pub use tile::{TILE_DEVIATION, TILE_SIDE, Tile};
+
+/// The text of the WGSL twin. It needs `math.wgsl`, and a function `wind_tile_load(index: u32) -> vec2<f32>` from its host.
+pub const WGSL: &str = concat!(include_str!("noise.wgsl"), include_str!("mod.wgsl"));
+
+/// Most octaves of one [`WindField`]; each [`Source::Natural`] has three.
+pub const MAX_OCTAVES: usize = 8;
+
+/// Something that moves the air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Source {
+    /// The same wind everywhere, for ever.
+    Uniform {
+        /// Along x and z \[m/s\].
+        velocity: [f32; 2],
+    },
+    /// A mean wind with gusts that travel with it.
+    Natural {
+        /// The mean, along x and z \[m/s\].
+        velocity: [f32; 2],
+        /// Standard deviation of the gusts (per axis) over the mean speed, usually 0 to 1.
+        turbulence: f32,
+    },
+}
+
+/// The wind of one step, everywhere.
+#[derive(Debug, Clone)]
+pub struct WindField {
+    /// Mean velocity along x and z \[m/s\].
+    pub mean: [f32; 2],
+    /// The gusts, at most [`MAX_OCTAVES`].
+    pub octaves: Vec<Octave>,
+    /// How many octaves (the weakest) were left out because there were more.
+    pub dropped: usize,
+    /// The noise.
+    pub tile: Arc<Tile>,
+}
+
+/// The tile phases (u, v) of each octave at some place; one whole tile is 2³², so they wrap.
+pub type Phases = [[u32; 2]; MAX_OCTAVES];
+
+/// A [`WindField`] as the GPU reads it; the same layout as `WindBlock` in WGSL, fit for a uniform buffer.
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct WindBlock {
+    /// Mean velocity along x and z \[m/s\].
+    pub mean: [f32; 2],
+    /// How many octaves count.
+    pub count: u32,
+    /// Node intervals along one side of a patch.
+    pub intervals: u32,
+    /// The gusts.
+    pub octaves: [Octave; MAX_OCTAVES],
+}
+
+impl WindField {
+    /// The sum of `sources` at step number `step` of `dt` seconds, for nodes `node_spacing` metres apart.
+    /// A source with a number that is not finite is left out.
+    pub fn at(sources: &[Source], step: u64, dt: f64, node_spacing: f64) -> Self {
+        let mut mean = [0.0; 2];
+        let mut octaves = Vec::new();
+        for (index, source) in sources.iter().enumerate() {
+            let (velocity, turbulence) = match *source {
+                Source::Uniform { velocity } => (velocity, 0.0),
+                Source::Natural {
+                    velocity,
+                    turbulence,
+                } => (velocity, turbulence),
+            };
+            if !(velocity[0].is_finite() && velocity[1].is_finite() && turbulence.is_finite()) {
+                continue;
+            }
+            mean = [mean[0] + velocity[0], mean[1] + velocity[1]];
+            octaves.extend(noise::gusts(
+                velocity,
+                turbulence,
+                index as u32,
+                step,
+                dt,
+                node_spacing,
+            ));
+        }
+        let dropped = octaves.len().saturating_sub(MAX_OCTAVES);
+        if dropped > 0 {
+            octaves.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+            octaves.truncate(MAX_OCTAVES);
+        }
+        Self {
+            mean,
+            octaves,
+            dropped,
+            tile: Tile::shipped(),
+        }
+    }
+
+    /// The phases at node (0, 0) of a patch with `intervals` node intervals along a side.
+    pub fn patch_phases(&self, patch: [i32; 2], intervals: u32) -> Phases {
+        let node = patch.map(|along| (along as u32).wrapping_mul(intervals) as i32);
+        let mut phases = [[0; 2]; MAX_OCTAVES];
+        for (phase, octave) in phases.iter_mut().zip(&self.octaves) {
+            *phase = octave.node_phase(octave.phase, node);
+        }
+        phases
+    }
+
+    /// Air velocity along x and z \[m/s\] at a node, counted from where `phases` belong.
+    pub fn velocity(&self, phases: &Phases, node: [i32; 2]) -> [f32; 2] {
+        let mut sum = self.mean;
+        for (octave, phase) in self.octaves.iter().zip(phases) {
+            octave.add(&self.tile, octave.node_phase(*phase, node), &mut sum);
+        }
+        sum
+    }
+
+    /// [`WindField::velocity`] of a row of nodes going along +x from `first`, the same bits; planar, as many as both
+    /// outputs hold.
+    pub fn velocity_row(
+        &self,
+        phases: &Phases,
+        first: [i32; 2],
+        along_x: &mut [f32],
+        along_z: &mut [f32],
+    ) {
+        for (i, (x, z)) in along_x.iter_mut().zip(along_z).enumerate() {
+            [*x, *z] = self.velocity(phases, [first[0].wrapping_add(i as i32), first[1]]);
+        }
+    }
+
+    /// Air velocity along x and z \[m/s\] at `local` metres (x, z), some kilometres at most, from where `phases` belong:
+    /// the wind between nodes, for drawing.
+    pub fn velocity_local(&self, phases: &Phases, local: [f32; 2]) -> [f32; 2] {
+        let mut sum = self.mean;
+        for (octave, phase) in self.octaves.iter().zip(phases) {
+            octave.add(&self.tile, octave.local_phase(*phase, local), &mut sum);
+        }
+        sum
+    }
+
+    /// A speed \[m/s\] seldom exceeded: the mean and two standard deviations of the gusts. Grass that this wind does not
+    /// stir may sleep.
+    pub fn gust_speed(&self) -> f32 {
+        let squares: f32 = self
+            .octaves
+            .iter()
+            .map(|octave| octave.amplitude * octave.amplitude)
+            .sum();
+        let mean = (self.mean[0] * self.mean[0] + self.mean[1] * self.mean[1]).sqrt();
+        mean + 2.0 * TILE_DEVIATION * squares.sqrt()
+    }
+
+    /// The field as the GPU reads it, for patches with `intervals` node intervals along a side.
+    pub fn block(&self, intervals: u32) -> WindBlock {
+        let mut octaves = [Octave::default(); MAX_OCTAVES];
+        let count = self.octaves.len().min(MAX_OCTAVES);
+        octaves[..count].copy_from_slice(&self.octaves[..count]);
+        WindBlock {
+            mean: self.mean,
+            count: count as u32,
+            intervals,
+            octaves,
+        }
+    }
+}
+
+/// The bend β \[rad, along x and z\] at which a plant rests in a wind \[m/s\]: `atan(k_w |W|^(4/3))` along W, 0 at W = 0.
+/// The power 4/3 is the drag of sedge (Belyaev et al. 2011).
+#[inline(always)]
+pub fn equilibrium(wind: [f32; 2], k_w: f32) -> [f32; 2] {
+    let speed = (wind[0] * wind[0] + wind[1] * wind[1]).sqrt();
+    let lean = atan(k_w * speed * cbrt(speed));
+    let share = lean / upper(speed, 1e-9);
+    [wind[0] * share, wind[1] * share]
+}
