@@ -1,1 +1,2 @@
 //! Vegetation that reacts.
+pub mod scene;
