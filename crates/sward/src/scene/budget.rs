@@ -1,0 +1,31 @@
+//! Upper limits of work and memory.
+
+use super::parameters::{choices, parameters};
+
+parameters! {
+    /// Upper limits of work and memory; what exceeds them is dropped by distance and counted.
+    pub struct Budget {
+        /// Patches that can be active at once.
+        patches: u32 = 225, "patches" in 9..=512;
+        /// Patches whose centre is nearer than this to a focus are active.
+        focus_distance: f32 = 48.0, "m" in 0.0..=1000.0;
+        /// Patches nearer than this to a camera keep the lags of upper segments.
+        lag_distance: f32 = 48.0, "m" in 0.0..=1000.0;
+        /// Plants drawn at once.
+        visible_plants: u32 = 262144, "plants" in 1024..=1048576;
+        /// Steps run at most for one call, to catch up with the clock.
+        catch_up: u32 = 4, "steps" in 1..=60;
+        /// What plants show beyond the active patches.
+        beyond: Beyond = Beyond::Direct, "";
+    }
+}
+
+choices! {
+    /// What plants show beyond the active patches.
+    pub enum Beyond {
+        /// The rest pose in the wind of their own place.
+        Direct,
+        /// One patch of wind, repeated.
+        Tiled,
+    }
+}

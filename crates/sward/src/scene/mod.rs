@@ -1,0 +1,167 @@
+//! The scene an author writes: terrain, stands, wind, interactors, camera, light and budget.
+//!
+//! A scene is a RON file of format version 1. Everything but `version` has a default, so this is a whole scene:
+//!
+//! ```
+//! let text = "(
+//!     version: 1,
+//!     stands: [(species: Meadow)],
+//! )";
+//! let scene = sward::scene::Scene::parse(text, "hello.ron")?;
+//! assert_eq!(scene.stands[0].label(), "meadow");
+//! # Ok::<(), sward::scene::SceneError>(())
+//! ```
+//!
+//! Unknown names and numbers out of range are errors that say where and what to type instead:
+//!
+//! ```
+//! use sward::scene::Scene;
+//! let error = Scene::parse("(version: 1, light: (azimut: 1.0))", "dusk.ron").unwrap_err();
+//! assert!(error.to_string().starts_with("dusk.ron:1:22: `Light` has no field `azimut`"));
+//! assert!(error.help.unwrap().contains("did you mean `azimuth`?"));
+//! ```
+//!
+//! Lengths are metres, times seconds, angles radians; +y is up and ground positions are (x, z).
+
+mod billboard;
+mod budget;
+mod camera;
+mod continuum;
+mod error;
+mod explain;
+mod field;
+mod interactor;
+mod light;
+mod locate;
+mod parameters;
+mod path;
+mod presets;
+mod reference;
+mod rules;
+mod shape;
+mod stand;
+mod terrain;
+mod value;
+mod wind;
+
+#[cfg(test)]
+mod tests;
+
+use ron::extensions::Extensions;
+use ron::ser::PrettyConfig;
+
+pub use billboard::{Billboard, BillboardOverrides};
+pub use budget::{Beyond, Budget};
+pub use camera::{Camera, CameraKey};
+pub use continuum::{Continuum, ContinuumOverrides, Lag};
+pub use error::{Problem, SceneError, Trail};
+pub use field::Field;
+pub use interactor::Interactor;
+pub use light::Light;
+pub use path::{Circle, Driven, Key, Keyframes, Path, Still};
+pub use presets::SpeciesModel;
+pub use reference::{Reference, reference};
+pub use shape::{BoxShape, Compound, Ellipsoid, Part, Polygon, Shape, Sphere};
+pub use stand::{Representation, Response, Species, Stand};
+pub use terrain::{Flat, Image, Terrain};
+pub use value::{FieldInfo, Value};
+pub use wind::{Natural, Uniform, WindSource};
+
+use parameters::parameters;
+
+/// The newest scene format this version reads.
+pub const FORMAT_VERSION: u32 = 1;
+
+parameters! {
+    /// Everything an author writes.
+    pub struct Scene {
+        /// Format version of the file: 1.
+        version: u32 = FORMAT_VERSION, "" in 1..=1, required;
+        /// A name for people.
+        title: String = String::new(), "";
+        /// Seed of every random choice: where plants stand, how they differ, how gusts arrive.
+        seed: u32 = 1, "";
+        /// Patch whose corner is the authored position (0, 0); moves the whole scene over the ground without changing it.
+        origin: [i32; 2] = [0, 0], "patches" in -1000000..=1000000;
+        /// Fixed simulation steps per second.
+        steps_per_second: u32 = 60, "1/s" in 30..=1000;
+        /// How the ground is cut into patches.
+        field: Field = Field::default(), "";
+        /// The shape of the ground.
+        terrain: Terrain = Terrain::Flat(Flat::default()), "";
+        /// What grows.
+        stands: Vec<Stand> = Vec::new(), "";
+        /// The sources whose sum is the wind; none is calm air.
+        wind: Vec<WindSource> = Vec::new(), "";
+        /// The bodies that push plants.
+        interactors: Vec<Interactor> = Vec::new(), "";
+        /// Where the picture is taken from.
+        camera: Camera = Camera::default(), "";
+        /// Sun, sky and air.
+        light: Light = Light::default(), "";
+        /// Upper limits of work and memory.
+        budget: Budget = Budget::default(), "";
+    }
+}
+
+impl Scene {
+    /// Reads and checks a scene. `file` is the name that errors carry.
+    ///
+    /// # Errors
+    /// The first thing wrong, with its place in the text.
+    pub fn parse(text: &str, file: &str) -> Result<Self, SceneError> {
+        let refuse = |problem| SceneError::from_problem(problem, text, file);
+        rules::not_newer(text).map_err(refuse)?;
+        let scene =
+            Self::read(text).map_err(|error| SceneError::from_reader(&error, text, file))?;
+        scene
+            .problem()
+            .map_or(Ok(scene), |problem| Err(refuse(problem)))
+    }
+
+    /// Checks a scene built in code as strictly as one that was read. Its errors have no place, but the path of the field.
+    ///
+    /// # Errors
+    /// The first thing wrong.
+    pub fn validate(&self) -> Result<(), SceneError> {
+        self.problem().map_or(Ok(()), |problem| Err(problem.into()))
+    }
+
+    /// The scene as text that [`Scene::parse`] reads back as an equal scene. What equals its default is left out.
+    #[must_use]
+    pub fn to_ron(&self) -> String {
+        let mut text = text_of_with(self, PrettyConfig::new().new_line("\n"));
+        text.push('\n');
+        text
+    }
+
+    /// Reads without the checks that concern more than one number.
+    fn read(text: &str) -> Result<Self, ron::error::SpannedError> {
+        options().from_str(text)
+    }
+
+    fn problem(&self) -> Option<Problem> {
+        self.check(&Trail::default())
+            .and_then(|()| rules::check(self))
+            .err()
+    }
+}
+
+/// The dialect of RON that scenes are written in: no `Some(…)`, no doubled brackets.
+fn options() -> ron::Options {
+    ron::Options::default().with_default_extension(
+        Extensions::IMPLICIT_SOME
+            | Extensions::UNWRAP_NEWTYPES
+            | Extensions::UNWRAP_VARIANT_NEWTYPES,
+    )
+}
+
+/// A value as it would be written in a scene, on one line.
+fn text_of<T: Value>(value: &T) -> String {
+    options().to_string(value).unwrap_or_default()
+}
+
+fn text_of_with<T: Value>(value: &T, style: PrettyConfig) -> String {
+    // Writing into a string fails only beyond the recursion limit, which no scene type reaches.
+    options().to_string_pretty(value, style).unwrap_or_default()
+}

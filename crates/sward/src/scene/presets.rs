@@ -1,0 +1,117 @@
+//! What each species is by itself, and what a stand makes of it.
+
+use super::billboard::Billboard;
+use super::continuum::{Continuum, Lag};
+use super::error::{Problem, SceneError, Trail};
+use super::stand::{Representation, Response, Species, Stand};
+
+/// A stand with every default filled in: what the simulation and the picture work with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpeciesModel {
+    /// The stand's name, unique in the scene.
+    pub name: String,
+    /// Least and greatest plant height in metres.
+    pub height: [f32; 2],
+    /// How the plants move.
+    pub continuum: Continuum,
+    /// How the plants look.
+    pub billboard: Billboard,
+}
+
+impl Stand {
+    /// Fills the species' values into what the author left out.
+    ///
+    /// # Errors
+    /// Values that contradict each other. Never after [`super::Scene::parse`] or [`super::Scene::validate`] succeeded.
+    pub fn resolve(&self) -> Result<SpeciesModel, SceneError> {
+        self.resolve_at(&Trail::default()).map_err(SceneError::from)
+    }
+
+    /// The same, with errors that know the way to this stand.
+    pub(super) fn resolve_at(&self, trail: &Trail) -> Result<SpeciesModel, Problem> {
+        let (continuum, billboard) = (self.species.continuum(), self.species.billboard());
+        Ok(SpeciesModel {
+            name: self.label(),
+            height: self.height.unwrap_or_else(|| self.species.height()),
+            continuum: match &self.response {
+                Some(Response::Continuum(overrides)) => {
+                    continuum.tuned(overrides, &trail.clone().key("response"))?
+                }
+                None => continuum,
+            },
+            billboard: match &self.representation {
+                Some(Representation::Billboard(overrides)) => billboard.with(overrides),
+                None => billboard,
+            },
+        })
+    }
+}
+
+impl Species {
+    /// Least and greatest plant height in metres: a quarter below and above the typical one.
+    #[must_use]
+    pub fn height(&self) -> [f32; 2] {
+        match self {
+            Self::Lawn => [0.0375, 0.0625],
+            Self::Meadow => [0.3, 0.5],
+            Self::Reed => [0.9, 1.5],
+            Self::Tussock => [0.225, 0.375],
+        }
+    }
+
+    /// How the species moves. Plants in a stand damp each other, so the ratios are higher than for a single blade.
+    #[must_use]
+    pub fn continuum(&self) -> Continuum {
+        // c0 [m/s], mu, lambda_theta, lambda_omega, kappa [1/s²], wind, gamma_top and gamma_recover [s]
+        let [
+            c0,
+            mu,
+            lambda_theta,
+            lambda_omega,
+            kappa,
+            wind,
+            gamma_top,
+            gamma_recover,
+        ] = match self {
+            Self::Lawn => [1.0, 0.02, 0.50, 0.50, 70.0, 0.0159, 0.0, 0.0],
+            Self::Meadow => [2.0, 0.06, 0.12, 0.20, 114.0, 0.0356, 0.12, 0.06],
+            Self::Reed => [2.5, 0.10, 0.09, 0.15, 43.0, 0.0385, 0.30, 0.15],
+            Self::Tussock => [3.0, 0.03, 0.30, 0.35, 400.0, 0.0142, 0.05, 0.03],
+        };
+        let (c_omega, kappa_omega, lag) = (c0, kappa, Lag::Cascade);
+        Continuum {
+            c0,
+            mu,
+            c_omega,
+            lambda_theta,
+            lambda_omega,
+            kappa,
+            kappa_omega,
+            wind,
+            lag,
+            gamma_top,
+            gamma_recover,
+        }
+    }
+
+    /// How the species looks.
+    #[must_use]
+    pub fn billboard(&self) -> Billboard {
+        let (segments, width, colour_root, colour_tip, dryness) = match self {
+            Self::Lawn => (1, 0.28, [0.020, 0.045, 0.012], [0.085, 0.190, 0.035], 0.08),
+            Self::Meadow => (4, 0.45, [0.030, 0.050, 0.015], [0.200, 0.260, 0.070], 0.35),
+            Self::Reed => (7, 0.60, [0.045, 0.055, 0.020], [0.290, 0.270, 0.110], 0.55),
+            Self::Tussock => (2, 0.42, [0.055, 0.055, 0.022], [0.310, 0.280, 0.120], 0.60),
+        };
+        let (cards, plain_distance) = (2, 40.0);
+        Billboard {
+            segments,
+            width,
+            cards,
+            plain_distance,
+            colour_root,
+            colour_tip,
+            dryness,
+        }
+    }
+}

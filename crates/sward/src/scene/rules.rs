@@ -1,0 +1,228 @@
+//! Checks that no single range can express: what must agree, be unique, or come in order.
+
+use super::error::{Problem, Trail};
+use super::explain::suggest;
+use super::locate::locate;
+use super::{Camera, FORMAT_VERSION, Interactor, Path, Scene, Shape, Stand, Terrain};
+
+type Checked = Result<(), Problem>;
+
+/// Most parts of a compound.
+const MOST_PARTS: usize = 32;
+
+/// All checks over a scene whose single numbers are in range.
+pub(super) fn check(scene: &Scene) -> Checked {
+    terrain(&scene.terrain)?;
+    let stands = Trail::default().key("stands");
+    each(&scene.stands, &stands, stand)?;
+    unique(scene.stands.iter().map(Stand::label), &stands, "stands")?;
+    let interactors = Trail::default().key("interactors");
+    each(&scene.interactors, &interactors, interactor)?;
+    unique(
+        scene.interactors.iter().map(|body| body.name.clone()),
+        &interactors,
+        "interactors",
+    )?;
+    camera(&scene.camera, &scene.interactors)
+}
+
+/// Refuses a file of a newer format before its unknown names are complained about.
+pub(super) fn not_newer(text: &str) -> Checked {
+    let trail = Trail::default().key("version");
+    let value = &text.as_bytes()[locate(text, &trail)..];
+    let digits = value.iter().take_while(|byte| byte.is_ascii_digit());
+    let version = digits.fold(0_u32, |sum, digit| {
+        sum.saturating_mul(10)
+            .saturating_add(u32::from(digit - b'0'))
+    });
+    if version <= FORMAT_VERSION {
+        return Ok(());
+    }
+    let message = format!("this file needs a newer sward: it has format version {version}");
+    Err(Problem::at(trail, message).help(format!("this one reads version {FORMAT_VERSION}")))
+}
+
+fn each<T>(list: &[T], trail: &Trail, rule: impl Fn(&T, &Trail) -> Checked) -> Checked {
+    list.iter()
+        .enumerate()
+        .try_for_each(|(index, one)| rule(one, &trail.clone().index(index)))
+}
+
+fn unique(names: impl Iterator<Item = String>, trail: &Trail, what: &str) -> Checked {
+    let mut seen = std::collections::HashSet::new();
+    for (index, name) in names.enumerate() {
+        if !name.is_empty() && !seen.insert(name.clone()) {
+            let message = format!("two {what} are called `{name}`");
+            let place = trail.clone().index(index).key("name");
+            return Err(Problem::at(place, message).help("give one of them another `name`"));
+        }
+    }
+    Ok(())
+}
+
+fn terrain(terrain: &Terrain) -> Checked {
+    match terrain {
+        Terrain::Image(image) if image.path.is_empty() => {
+            let place = Trail::default().key("terrain").key("path");
+            Err(Problem::at(place, "`path` is empty")
+                .help("name a PNG, like \"assets/jacksboro.png\""))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn stand(stand: &Stand, trail: &Trail) -> Checked {
+    if !stand.cells.is_multiple_of(8) {
+        let (below, above) = (stand.cells / 8 * 8, stand.cells / 8 * 8 + 8);
+        let message = format!("`cells` is {}, allowed are multiples of 8", stand.cells);
+        return Err(
+            Problem::at(trail.clone().key("cells"), message).help(format!("{below} or {above}"))
+        );
+    }
+    let model = stand.resolve_at(trail)?;
+    if model.height[0] > model.height[1] {
+        let [low, high] = model.height;
+        let message = format!("`height` runs from {low} down to {high}");
+        return Err(
+            Problem::at(trail.clone().key("height"), message).help(format!("({high}, {low})"))
+        );
+    }
+    Ok(())
+}
+
+fn interactor(body: &Interactor, trail: &Trail) -> Checked {
+    shape(&body.shape, &trail.clone().key("shape"))?;
+    if body.from >= body.until {
+        let message = format!("`until` is {} s, but `from` is {} s", body.until, body.from);
+        return Err(
+            Problem::at(trail.clone().key("until"), message).help("`until` is later than `from`")
+        );
+    }
+    if let Path::Keyframes(keyframes) = &body.path {
+        let keys = trail.clone().key("path").key("keys");
+        if keyframes.keys.is_empty() {
+            return Err(Problem::at(keys, "`keys` is empty")
+                .help("give a place at a time: (time: 0, at: (0, 0))"));
+        }
+        if keyframes.repeat && keyframes.keys.len() < 2 {
+            return Err(Problem::at(keys, "`repeat` needs at least two keys"));
+        }
+        return increasing(keyframes.keys.iter().map(|key| key.time), &keys);
+    }
+    Ok(())
+}
+
+fn increasing(times: impl Iterator<Item = f64>, trail: &Trail) -> Checked {
+    let mut last = None;
+    for (index, time) in times.enumerate() {
+        if let Some(before) = last
+            && time <= before
+        {
+            let message = format!("`time` is {time} s, but the key before it is at {before} s");
+            let place = trail.clone().index(index).key("time");
+            return Err(Problem::at(place, message).help("order the keys by increasing time"));
+        }
+        last = Some(time);
+    }
+    Ok(())
+}
+
+fn shape(shape: &Shape, trail: &Trail) -> Checked {
+    match shape {
+        Shape::Polygon(polygon) => convex(&polygon.points, &trail.clone().key("points")),
+        Shape::Compound(compound) => {
+            let parts = trail.clone().key("parts");
+            if compound.parts.is_empty() || compound.parts.len() > MOST_PARTS {
+                let message = format!(
+                    "`parts` has {}, allowed 1 to {MOST_PARTS}",
+                    compound.parts.len()
+                );
+                return Err(Problem::at(parts, message));
+            }
+            each(&compound.parts, &parts, |part, trail| {
+                simple(&part.shape, &trail.clone().key("shape"))
+            })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The shape of a part: anything that is not made of parts itself.
+fn simple(part: &Shape, trail: &Trail) -> Checked {
+    match part {
+        Shape::Truck | Shape::Compound(_) => {
+            let message = "a part is neither a `Truck` nor a `Compound`";
+            Err(Problem::at(trail.clone(), message).help("known: Box, Polygon, Sphere, Ellipsoid"))
+        }
+        other => shape(other, trail),
+    }
+}
+
+/// A polygon is convex if it turns the same way at every corner, and once round in all.
+fn convex(points: &[[f32; 2]], trail: &Trail) -> Checked {
+    if !(3..=16).contains(&points.len()) {
+        let message = format!("`points` has {}, allowed 3 to 16", points.len());
+        return Err(Problem::at(trail.clone(), message));
+    }
+    let corner = |index: usize| points[index % points.len()].map(f64::from);
+    let edge = |index| {
+        let ([ax, az], [bx, bz]) = (corner(index), corner(index + 1));
+        [bx - ax, bz - az]
+    };
+    let turns: Vec<f64> = (0..points.len())
+        .map(|index| {
+            let ([ax, az], [bx, bz]) = (edge(index), edge(index + 1));
+            ax * bz - az * bx
+        })
+        .collect();
+    let one_way = turns.iter().all(|&turn| turn > 0.0) || turns.iter().all(|&turn| turn < 0.0);
+    // A star turns one way at every corner too, but its edges change between left and right more than twice.
+    let rightward = |index| edge(index)[0] > 0.0 || (edge(index)[0] == 0.0 && edge(index)[1] > 0.0);
+    let changes = (0..points.len())
+        .filter(|&index| rightward(index) != rightward(index + 1))
+        .count();
+    if one_way && changes == 2 {
+        return Ok(());
+    }
+    let help = "list the corners in order round a convex outline; make a concave body a `Compound`";
+    Err(Problem::at(trail.clone(), "`points` is not a convex polygon").help(help))
+}
+
+fn camera(camera: &Camera, interactors: &[Interactor]) -> Checked {
+    let trail = Trail::default().key("camera");
+    let target = trail.clone().key("target");
+    looks_somewhere(camera.eye, camera.target, target)?;
+    let keys = trail.clone().key("keys");
+    increasing(camera.keys.iter().map(|key| key.time), &keys)?;
+    each(&camera.keys, &keys, |key, trail| {
+        looks_somewhere(key.eye, key.target, trail.clone().key("target"))
+    })?;
+    let Some(follow) = &camera.follow else {
+        return Ok(());
+    };
+    let names: Vec<&str> = interactors
+        .iter()
+        .map(|body| body.name.as_str())
+        .filter(|name| !name.is_empty())
+        .collect();
+    if names.contains(&follow.as_str()) {
+        return Ok(());
+    }
+    let help = if names.is_empty() {
+        "give an interactor a `name`".to_owned()
+    } else {
+        suggest(follow, &names)
+    };
+    Err(Problem::at(
+        trail.key("follow"),
+        format!("no interactor is called `{follow}`"),
+    )
+    .help(help))
+}
+
+fn looks_somewhere(eye: [f64; 3], target: [f64; 3], trail: Trail) -> Checked {
+    if eye == target {
+        return Err(Problem::at(trail, "`target` is where the eye is").help("move one of them"));
+    }
+    Ok(())
+}

@@ -1,0 +1,70 @@
+//! Stands: plants of one species that share one response and one representation.
+
+use super::billboard::BillboardOverrides;
+use super::continuum::ContinuumOverrides;
+use super::parameters::{choices, parameters};
+
+choices! {
+    /// A kind of plant. It gives the defaults of height, response and representation.
+    pub enum Species {
+        /// Mown turf, 5 cm: creeps back slowly without swaying.
+        Lawn,
+        /// Meadow grass, 40 cm: sways and recovers in a few seconds.
+        Meadow,
+        /// Reed, 120 cm: tall, slow, with a whipping tip.
+        Reed,
+        /// Tussock grass, 30 cm: stiff and quick.
+        Tussock,
+    }
+}
+
+choices! {
+    /// How plants move.
+    pub enum Response {
+        /// Bending spreads through the stand as a wave.
+        Continuum(ContinuumOverrides),
+    }
+}
+
+choices! {
+    /// How a plant becomes triangles.
+    pub enum Representation {
+        /// Crossed cards with a picture of a clump.
+        Billboard(BillboardOverrides),
+    }
+}
+
+parameters! {
+    /// Plants of one species over the whole field.
+    pub struct Stand {
+        /// The kind of plant.
+        species: Species = Species::Meadow, "", required;
+        /// A name, unique in the scene. Without it the species in lower case.
+        name: String = String::new(), "";
+        /// Cells along a patch side, a multiple of 8; each cell can carry one plant. The cell size is patch_side / cells.
+        cells: u32 = 128, "cells" in 8..=256;
+        /// Share of the cells that carry a plant.
+        cover: f32 = 1.0, "" in 0.0..=1.0;
+        /// How much height and cover differ from clump to clump.
+        clumping: f32 = 0.35, "" in 0.0..=1.0;
+        /// Width of a clump.
+        clump_size: f32 = 5.0, "m" in 0.5..=100.0;
+        /// Least and greatest plant height. Without it the species' own.
+        height: Option<[f32; 2]> = None, "m" in 0.01..=5.0;
+        /// How the plants move, where it differs from the species.
+        response: Option<Response> = None, "";
+        /// How the plants look, where it differs from the species.
+        representation: Option<Representation> = None, "";
+    }
+}
+
+impl Stand {
+    /// The stand's name, or its species in lower case.
+    #[must_use]
+    pub fn label(&self) -> String {
+        match self.name.as_str() {
+            "" => format!("{:?}", self.species).to_lowercase(),
+            name => name.to_owned(),
+        }
+    }
+}
