@@ -146,7 +146,9 @@ fn put_to_sleep(stand: &mut StandState, by: &Circumstances, focused: &BTreeSet<P
     let resting: Vec<PatchKey> = stand
         .awake
         .iter()
-        .filter(|(patch, awake)| awake.fading == 0 && !focused.contains(*patch) && !by.touched.contains(*patch) && (awake.rest >= second || awake.wind_only))
+        .filter(|(patch, awake)| {
+            awake.fading == 0 && !focused.contains(*patch) && !by.touched.contains(*patch) && (awake.rest >= second || awake.wind_only)
+        })
         .map(|(patch, _)| *patch)
         .collect();
     for patch in focused {
@@ -169,8 +171,11 @@ fn fade(stand: &mut StandState, patch: PatchKey, by: &Circumstances) {
 }
 
 fn wake(stand: &mut StandState, by: &Circumstances, wanted: &BTreeSet<PatchKey>, pushed: &BTreeSet<PatchKey>) {
-    let mut queue: Vec<(f64, PatchKey)> =
-        wanted.iter().filter(|patch| !stand.awake.contains_key(*patch) && by.inside(**patch)).map(|patch| (by.distance(*patch), *patch)).collect();
+    let mut queue: Vec<(f64, PatchKey)> = wanted
+        .iter()
+        .filter(|patch| !stand.awake.contains_key(*patch) && by.inside(**patch))
+        .map(|patch| (by.distance(*patch), *patch))
+        .collect();
     queue.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     for (distance, patch) in queue {
         if stand.free.is_empty() {
@@ -211,7 +216,9 @@ fn share_lag_slots(stand: &mut StandState, by: &Circumstances) {
     }
     for (_, patch) in near {
         let Some(awake) = stand.awake.get_mut(&patch) else { continue };
-        if awake.lag == NONE && let Some(slot) = stand.lag_free.pop_first() {
+        if awake.lag == NONE
+            && let Some(slot) = stand.lag_free.pop_first()
+        {
             (awake.lag, awake.lag_woken) = (slot, true);
         }
     }

@@ -15,7 +15,7 @@ mod wide;
 use std::f32::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, LOG2_E, PI};
 
 pub use hash::{hash, unit};
-pub use wide::{atan2_f64, sin_cos_f64};
+pub use wide::{atan2_f64, exp_f64, ln_f64, sin_cos_f64, wrapped, wrapped_angle};
 
 /// The text of the WGSL twin; every other WGSL file of this crate may call it.
 pub const WGSL: &str = include_str!("math.wgsl");
@@ -41,13 +41,7 @@ pub(crate) const COS: [f32; 3] = [0.041666646, -0.0013887362, 2.443773e-5];
 /// tan π/8, tan 3π/8, π/4, π/2: where [`atan`] folds its argument, and by how much.
 pub(crate) const ATAN_FOLDS: [f32; 4] = [0.41421357, 2.4142137, FRAC_PI_4, FRAC_PI_2];
 /// `atan y ≈ y + y³ A(y²)` for |y| ≤ tan π/8.
-pub(crate) const ATAN: [f32; 5] = [
-    -0.33333316,
-    0.19998488,
-    -0.14243802,
-    0.105956435,
-    -0.060824987,
-];
+pub(crate) const ATAN: [f32; 5] = [-0.33333316, 0.19998488, -0.14243802, 0.105956435, -0.060824987];
 /// The smallest normal `f32`; [`cbrt`] of less is 0, since a GPU may flush it anyway.
 pub(crate) const SMALLEST: f32 = 1.1754944e-38;
 
@@ -73,11 +67,7 @@ pub fn clamped(x: f32, low: f32, high: f32) -> f32 {
 #[inline(always)]
 pub fn floored(x: f32) -> i32 {
     let towards_zero = x as i32;
-    if (towards_zero as f32) > x {
-        towards_zero.wrapping_sub(1)
-    } else {
-        towards_zero
-    }
+    if (towards_zero as f32) > x { towards_zero.wrapping_sub(1) } else { towards_zero }
 }
 
 #[inline(always)]
@@ -115,10 +105,7 @@ pub fn sin_cos(x: f32) -> (f32, f32) {
     let cosine = if odd { s } else { c };
     let sine_sign = (quarter & 2) << 30;
     let cosine_sign = (quarter.wrapping_add(1) & 2) << 30;
-    (
-        f32::from_bits(sine.to_bits() ^ sine_sign),
-        f32::from_bits(cosine.to_bits() ^ cosine_sign),
-    )
+    (f32::from_bits(sine.to_bits() ^ sine_sign), f32::from_bits(cosine.to_bits() ^ cosine_sign))
 }
 
 /// `tan x` of an angle \[rad\], |x| ≤ 1e4. Relative error ≤ 3e-7 for |x| ≤ 1.57 (where the crate uses it).

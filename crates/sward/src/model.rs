@@ -120,7 +120,7 @@ fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, Sc
             clumps: ((patch_side / f64::from(stand.clump_size)).round() as u32).clamp(1, stand.cells),
         };
         stands.push(StandModel {
-            name: stand.name_or_species(),
+            name: stand.label(),
             lag: LagCoefficients::new(&species.continuum, species.billboard.segments, dt),
             tolerance: tolerance(&species, sources),
             species,
@@ -142,6 +142,20 @@ fn tolerance(species: &SpeciesModel, sources: &[Source]) -> f32 {
     let swing = |speed: f32| crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0];
     let mean = (wind.mean[0] * wind.mean[0] + wind.mean[1] * wind.mean[1]).sqrt();
     crate::response::continuum::REST + 0.25 * (swing(mean + gust) - swing(mean))
+}
+
+fn load_terrain(terrain: &SceneTerrain, assets: &dyn Assets) -> Result<Terrain, SceneError> {
+    let image = match terrain {
+        SceneTerrain::Flat(flat) => return Ok(Terrain::flat(flat.height)),
+        SceneTerrain::Image(image) => image,
+    };
+    let bad = |message: String| SceneError::in_file(&image.path, message);
+    let sidecar = Path::new(&image.path).with_extension("toml");
+    let sidecar = sidecar.to_string_lossy();
+    let text = assets.read(&sidecar).map_err(|why| bad(format!("its scale is in a file beside it, which cannot be read: {why}")))?;
+    let text = String::from_utf8(text).map_err(|_| bad(format!("{sidecar} is not text")))?;
+    let pixels = assets.read(&image.path).map_err(|why| bad(format!("cannot be read: {why}")))?;
+    Terrain::from_image(&pixels, &text, image.scale, image.offset).map_err(|error| bad(error.to_string()))
 }
 
 /// The scene with every position counted from the corner of its origin patch.
@@ -193,7 +207,7 @@ impl Model {
             rate: scene.steps_per_second,
             patch_side: f64::from(scene.field.patch_side),
             field,
-            terrain: scene.terrain.load(assets)?,
+            terrain: load_terrain(&scene.terrain, assets)?,
             gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0)),
             stands,
             sources,

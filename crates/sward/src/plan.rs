@@ -16,7 +16,7 @@ pub struct Plan {
 }
 
 /// What one stand does in a step.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct StandPlan {
     /// The wind of this step on the stand's nodes.
     pub wind: WindField,

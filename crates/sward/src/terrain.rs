@@ -69,32 +69,14 @@ impl Terrain {
     /// Level ground everywhere; a height \[m\] that is not finite becomes 0.
     pub fn flat(height: f32) -> Self {
         let height = if height.is_finite() { height } else { 0.0 };
-        Self {
-            heights: vec![height],
-            columns: 1,
-            rows: 1,
-            spacing: [1.0; 2],
-            corner: [0.0; 2],
-            inverse_spacing: [1.0; 2],
-        }
+        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2], inverse_spacing: [1.0; 2] }
     }
 
     /// A terrain from `columns × rows` heights \[m\] (row-major, columns along +x), their `spacing` in x and z \[m\] and
     /// the ground position of the first one. Errors: sizes that disagree or exceed [`MAX_SIDE`] or [`MAX_SAMPLES`],
     /// numbers that are not finite, a spacing outside 1e-3..=1e6 m.
-    pub fn new(
-        heights: Vec<f32>,
-        columns: u32,
-        rows: u32,
-        spacing: [f64; 2],
-        corner: [f64; 2],
-    ) -> Result<Self, TerrainError> {
-        check(
-            "columns",
-            columns,
-            "1 to 16384",
-            (1..=MAX_SIDE).contains(&columns),
-        )?;
+    pub fn new(heights: Vec<f32>, columns: u32, rows: u32, spacing: [f64; 2], corner: [f64; 2]) -> Result<Self, TerrainError> {
+        check("columns", columns, "1 to 16384", (1..=MAX_SIDE).contains(&columns))?;
         check(
             "rows",
             rows,
@@ -103,43 +85,27 @@ impl Terrain {
         )?;
         let (found, expected) = (heights.len() as u64, u64::from(columns) * u64::from(rows));
         if found != expected {
-            return Err(TerrainError::Size {
-                what: "heights",
-                found,
-                expected,
-            });
+            return Err(TerrainError::Size { what: "heights", found, expected });
         }
         for axis in 0..2 {
-            check(
-                "spacing",
-                spacing[axis],
-                "0.001 to 1000000 m",
-                (1e-3..=1e6).contains(&spacing[axis]),
-            )?;
-            check(
-                "corner",
-                corner[axis],
-                "a finite number of metres",
-                corner[axis].is_finite(),
-            )?;
+            check("spacing", spacing[axis], "0.001 to 1000000 m", (1e-3..=1e6).contains(&spacing[axis]))?;
+            check("corner", corner[axis], "a finite number of metres", corner[axis].is_finite())?;
         }
         if let Some(height) = heights.iter().find(|height| !height.is_finite()) {
             check("height", height, "a finite number of metres", false)?;
         }
         let inverse_spacing = spacing.map(|metres| (1.0 / metres) as f32);
-        Ok(Self {
-            heights,
-            columns,
-            rows,
-            spacing,
-            corner,
-            inverse_spacing,
-        })
+        Ok(Self { heights, columns, rows, spacing, corner, inverse_spacing })
     }
 
     /// Heights \[m\], row-major, `row * columns + column`.
     pub fn heights(&self) -> &[f32] {
         &self.heights
+    }
+
+    /// The ground is level everywhere.
+    pub fn is_flat(&self) -> bool {
+        self.heights.iter().all(|height| *height == self.heights[0])
     }
 
     /// Samples along x.
@@ -164,19 +130,13 @@ impl Terrain {
 
     /// What the GPU must know besides [`Terrain::heights`].
     pub fn grid(&self) -> TerrainGrid {
-        TerrainGrid {
-            size: [self.columns as i32, self.rows as i32],
-            inverse_spacing: self.inverse_spacing,
-        }
+        TerrainGrid { size: [self.columns as i32, self.rows as i32], inverse_spacing: self.inverse_spacing }
     }
 
     /// The anchor at a ground position (x, z) \[m\].
     pub fn anchor(&self, ground: [f64; 2]) -> TerrainAnchor {
         let (index, fraction) = self.place(ground);
-        TerrainAnchor {
-            index,
-            fraction: fraction.map(|part| part as f32),
-        }
+        TerrainAnchor { index, fraction: fraction.map(|part| part as f32) }
     }
 
     /// Height \[m\] at `local` metres (x, z) from the anchor.
@@ -201,13 +161,7 @@ impl Terrain {
             way[axis] = clamped(place - whole as f32, 0.0, 1.0);
         }
         let (height, slope) = surface_f32(&self.neighbourhood(first), way);
-        (
-            height,
-            [
-                slope[0] * self.inverse_spacing[0],
-                slope[1] * self.inverse_spacing[1],
-            ],
-        )
+        (height, [slope[0] * self.inverse_spacing[0], slope[1] * self.inverse_spacing[1]])
     }
 
     /// Height \[m\] at a ground position (x, z) \[m\], in `f64`.
@@ -219,10 +173,7 @@ impl Terrain {
     pub fn height_and_gradient_at(&self, x: f64, z: f64) -> (f64, [f64; 2]) {
         let (index, fraction) = self.place([x, z]);
         let (height, slope) = surface_f64(&self.neighbourhood(index), fraction);
-        (
-            height,
-            [slope[0] / self.spacing[0], slope[1] / self.spacing[1]],
-        )
+        (height, [slope[0] / self.spacing[0], slope[1] / self.spacing[1]])
     }
 
     /// Column and row before a ground position, within one mirrored period, and the way to the next.
@@ -233,8 +184,7 @@ impl Terrain {
             let samples = (ground[axis] - self.corner[axis]) / self.spacing[axis];
             let samples = if samples.is_finite() { samples } else { 0.0 };
             let whole = samples.floor();
-            index[axis] =
-                (whole as i64).rem_euclid(i64::from(period(self.grid().size[axis]))) as i32;
+            index[axis] = (whole as i64).rem_euclid(i64::from(period(self.grid().size[axis]))) as i32;
             fraction[axis] = samples - whole;
         }
         (index, fraction)

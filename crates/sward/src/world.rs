@@ -129,7 +129,10 @@ impl World {
     pub fn drive(&mut self, body: usize, ground: [f64; 2], yaw: f64, clearance: f64) -> bool {
         let finite = ground.iter().chain([&yaw, &clearance]).all(|value| value.is_finite());
         let driven = matches!(self.scene.interactors.get(body).map(|interactor| &interactor.path), Some(Path::Driven(_)));
-        if driven && finite && let Some(state) = self.state.bodies.get_mut(body) {
+        if driven
+            && finite
+            && let Some(state) = self.state.bodies.get_mut(body)
+        {
             state.driven = Some((ground, yaw, clearance));
         }
         driven && finite
@@ -230,7 +233,8 @@ impl World {
     fn plan_stand(&self, index: usize, footprints: &[Footprint]) -> StandPlan {
         let (stand, state) = (&self.model.stands[index], &self.state.stands[index]);
         let side = i64::from(stand.cells);
-        let mut plan = StandPlan { wind: self.wind(stand), ..StandPlan::default() };
+        let mut plan =
+            StandPlan { wind: self.wind(stand), patches: Vec::new(), contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new() };
         let mut reached: BTreeMap<PatchKey, Vec<ContactPair>> = BTreeMap::new();
         for footprint in footprints {
             let contact = plan.contacts.len() as u32;
@@ -244,7 +248,9 @@ impl World {
         for (patch, awake) in &state.awake {
             let first = plan.pairs.len();
             plan.pairs.extend(reached.remove(patch).unwrap_or_default());
-            let slot = |dx: i32, dz: i32| state.awake.get(&[patch[0].wrapping_add(dx), patch[1].wrapping_add(dz)]).map_or(NONE, |awake| awake.slot);
+            let slot = |dx: i32, dz: i32| {
+                state.awake.get(&[patch[0].wrapping_add(dx), patch[1].wrapping_add(dz)]).map_or(NONE, |awake| awake.slot)
+            };
             plan.patches.push(PatchPlan {
                 patch: *patch,
                 slot: awake.slot,

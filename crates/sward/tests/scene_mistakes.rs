@@ -6,84 +6,18 @@ use sward::scene::Scene;
 type Mistake = (&'static str, u32, u32, &'static str, &'static str);
 
 const SYNTAX: &[Mistake] = &[
-    (
-        "(stands: [])",
-        1,
-        12,
-        "`version` is missing in `Scene`",
-        "version: 1",
-    ),
-    (
-        "(version: 2, novelty: 3)",
-        1,
-        11,
-        "this file needs a newer sward: it has format version 2",
-        "version 1",
-    ),
-    (
-        "(version: 1,\n wnd: [])",
-        2,
-        2,
-        "`Scene` has no field `wnd`",
-        "did you mean `wind`?",
-    ),
-    (
-        "(version: 1,\n stands: [(species: meadow)])",
-        2,
-        21,
-        "`meadow` is not known as `Species`",
-        "did you mean `Meadow`?",
-    ),
-    (
-        "(version: 1,\n stands: [(name: \"a\")])",
-        2,
-        21,
-        "`species` is missing in `Stand`",
-        "species",
-    ),
-    (
-        "(version: 1, seed: 3,\n seed: 4)",
-        2,
-        2,
-        "`seed` is given twice",
-        "keep one",
-    ),
+    ("(stands: [])", 1, 12, "`version` is missing in `Scene`", "version: 1"),
+    ("(version: 2, novelty: 3)", 1, 11, "this file needs a newer sward: it has format version 2", "version 1"),
+    ("(version: 1,\n wnd: [])", 2, 2, "`Scene` has no field `wnd`", "did you mean `wind`?"),
+    ("(version: 1,\n stands: [(species: meadow)])", 2, 21, "`meadow` is not known as `Species`", "did you mean `Meadow`?"),
+    ("(version: 1,\n stands: [(name: \"a\")])", 2, 21, "`species` is missing in `Stand`", "species"),
+    ("(version: 1, seed: 3,\n seed: 4)", 2, 2, "`seed` is given twice", "keep one"),
     ("(version: 1, seed: 1.5)", 1, 21, "expected", ""),
-    (
-        "(version: 1, seed: -1)",
-        1,
-        21,
-        "integer is out of bounds",
-        "negative",
-    ),
-    (
-        "(version: 1, camera: (eye: [0, 1, 2]))",
-        1,
-        28,
-        "expected opening `(`",
-        "round brackets",
-    ),
-    (
-        "(version: 1, wind: [Natural])",
-        1,
-        28,
-        "expected opening `(`",
-        "every default",
-    ),
-    (
-        "(version: 1, camera: (eye: (0, 1)))",
-        1,
-        33,
-        "expected an array of length 3",
-        "",
-    ),
-    (
-        "(version: 1, stands: (species: Lawn))",
-        1,
-        22,
-        "expected opening `[`",
-        "square brackets",
-    ),
+    ("(version: 1, seed: -1)", 1, 21, "integer is out of bounds", "negative"),
+    ("(version: 1, camera: (eye: [0, 1, 2]))", 1, 28, "expected opening `(`", "round brackets"),
+    ("(version: 1, wind: [Natural])", 1, 28, "expected opening `(`", "every default"),
+    ("(version: 1, camera: (eye: (0, 1)))", 1, 33, "expected an array of length 3", ""),
+    ("(version: 1, stands: (species: Lawn))", 1, 22, "expected opening `[`", "square brackets"),
     ("(version: 1", 1, 12, "expected comma", "missing"),
     ("(version: 1) x", 1, 14, "non-whitespace trailing", "remove"),
     ("", 1, 1, "", ""),
@@ -91,37 +25,13 @@ const SYNTAX: &[Mistake] = &[
 
 const RANGES: &[Mistake] = &[
     ("(version: 0)", 1, 11, "`version` is 0, allowed 1 to 1", ""),
-    (
-        "(version: 1, wind: [\n Uniform(velocity: (900, 0))])",
-        2,
-        27,
-        "`velocity` is 900 m/s, allowed -60 to 60",
-        "",
-    ),
-    (
-        "(version: 1, light: (\n fog: NaN,\n))",
-        2,
-        7,
-        "`fog` is NaN 1/m, allowed 0 to 1",
-        "",
-    ),
-    (
-        "(version: 1, light: (\n fog: -inf))",
-        2,
-        7,
-        "`fog` is -inf 1/m",
-        "",
-    ),
+    ("(version: 1, wind: [\n Uniform(velocity: (900, 0))])", 2, 27, "`velocity` is 900 m/s, allowed -60 to 60", ""),
+    ("(version: 1, light: (\n fog: NaN,\n))", 2, 7, "`fog` is NaN 1/m, allowed 0 to 1", ""),
+    ("(version: 1, light: (\n fog: -inf))", 2, 7, "`fog` is -inf 1/m", ""),
 ];
 
 const STANDS: &[Mistake] = &[
-    (
-        "(version: 1, stands: [\n (species: Lawn,\n  cells: 100)])",
-        3,
-        10,
-        "`cells` is 100, allowed are multiples of 8",
-        "96 or 104",
-    ),
+    ("(version: 1, stands: [\n (species: Lawn,\n  cells: 100)])", 3, 10, "`cells` is 100, allowed are multiples of 8", "96 or 104"),
     (
         "(version: 1, stands: [(species: Lawn), // name: \"x\"\n (species: Meadow, name: \"lawn\")])",
         2,
@@ -129,13 +39,7 @@ const STANDS: &[Mistake] = &[
         "two stands are called `lawn`",
         "another",
     ),
-    (
-        "(version: 1, stands: [(species: Lawn,\n height: (2, 1))])",
-        2,
-        10,
-        "`height` runs from 2 down to 1",
-        "(1, 2)",
-    ),
+    ("(version: 1, stands: [(species: Lawn,\n height: (2, 1))])", 2, 10, "`height` runs from 2 down to 1", "(1, 2)"),
     (
         "(version: 1, stands: [(species: Lawn, response: Continuum(\n frequency: 1,\n kappa: 3))])",
         2,
@@ -160,13 +64,7 @@ const STANDS: &[Mistake] = &[
 ];
 
 const BODIES: &[Mistake] = &[
-    (
-        "(version: 1, terrain: Image(scale: 2,\n path: \"\"))",
-        2,
-        8,
-        "`path` is empty",
-        "PNG",
-    ),
+    ("(version: 1, terrain: Image(scale: 2,\n path: \"\"))", 2, 8, "`path` is empty", "PNG"),
     (
         "(version: 1, interactors: [(shape: Truck, path: Keyframes(keys: [\n (time: 1, at: (0, 0)),\n (time: 1, at: (1, 0))]))])",
         3,
@@ -174,13 +72,7 @@ const BODIES: &[Mistake] = &[
         "`time` is 1 s, but the key before it is at 1 s",
         "increasing",
     ),
-    (
-        "(version: 1, interactors: [(shape: Truck,\n from: 3, until: 2)])",
-        2,
-        18,
-        "`until` is 2 s",
-        "later",
-    ),
+    ("(version: 1, interactors: [(shape: Truck,\n from: 3, until: 2)])", 2, 18, "`until` is 2 s", "later"),
     (
         "(version: 1, interactors: [(shape: Polygon(\n points: [(0, 0), (2, 0), (0.5, 0.5), (0, 2)]))])",
         2,
@@ -188,13 +80,7 @@ const BODIES: &[Mistake] = &[
         "`points` is not a convex polygon",
         "Compound",
     ),
-    (
-        "(version: 1, interactors: [(shape: Polygon(\n points: [(0, 0), (2, 0)]))])",
-        2,
-        10,
-        "`points` has 2, allowed 3 to 16",
-        "",
-    ),
+    ("(version: 1, interactors: [(shape: Polygon(\n points: [(0, 0), (2, 0)]))])", 2, 10, "`points` has 2, allowed 3 to 16", ""),
     (
         "(version: 1, interactors: [(shape: Compound(parts: [(shape: Sphere()),\n (shape: Truck)]))])",
         2,
@@ -209,13 +95,7 @@ const BODIES: &[Mistake] = &[
         "no interactor is called `pikup`",
         "did you mean `pickup`?",
     ),
-    (
-        "(version: 1, camera: (eye: (1, 2, 3),\n target: (1, 2, 3)))",
-        2,
-        10,
-        "`target` is where the eye is",
-        "move",
-    ),
+    ("(version: 1, camera: (eye: (1, 2, 3),\n target: (1, 2, 3)))", 2, 10, "`target` is where the eye is", "move"),
 ];
 
 #[test]
@@ -224,16 +104,11 @@ fn mistakes_are_explained_where_they_are() {
     for &(text, line, column, message, help) in [SYNTAX, RANGES, STANDS, BODIES].concat().iter() {
         let error = Scene::parse(text, "test.ron").expect_err(text);
         let advice = error.help.as_deref().unwrap_or("");
-        let right = (error.line, error.column) == (line, column)
-            && error.message.starts_with(message)
-            && advice.contains(help);
+        let right = (error.line, error.column) == (line, column) && error.message.starts_with(message) && advice.contains(help);
         if !right {
             wrong.push(format!("{text}\n  → {error}"));
         }
-        assert_eq!(
-            (error.file.as_str(), error.text.as_str()),
-            ("test.ron", text)
-        );
+        assert_eq!((error.file.as_str(), error.text.as_str()), ("test.ron", text));
         let shown = text.get(error.span());
         assert!(shown.is_some_and(|shown| !shown.contains('\n')), "{text}");
     }

@@ -15,11 +15,7 @@ fn shipped() -> Vec<(String, String)> {
         .map(|entry| entry.expect("readable").path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "ron"))
         .map(|path| {
-            let name = path
-                .file_name()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned();
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             (name, std::fs::read_to_string(&path).expect("readable"))
         })
         .collect();
@@ -36,28 +32,15 @@ fn error_of(text: &str) -> SceneError {
 fn shipped_scenes_are_valid_short_and_survive_writing() {
     let scenes = shipped();
     for name in ["hello", "lawn", "reed", "crossing", "paper", "endless"] {
-        assert!(
-            scenes
-                .iter()
-                .any(|(file, _)| *file == format!("{name}.ron")),
-            "{name}"
-        );
+        assert!(scenes.iter().any(|(file, _)| *file == format!("{name}.ron")), "{name}");
     }
     for (file, text) in &scenes {
         let scene = Scene::parse(text, file).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(Scene::parse(&scene.to_ron(), file).as_ref(), Ok(&scene));
-        assert!(
-            text.lines().count() <= 60 && text.starts_with("//"),
-            "{file}"
-        );
-        assert!(
-            !scene.stands.is_empty() && !scene.title.is_empty(),
-            "{file}"
-        );
+        assert!(text.lines().count() <= 60 && text.starts_with("//"), "{file}");
+        assert!(!scene.stands.is_empty() && !scene.title.is_empty(), "{file}");
         for stand in &scene.stands {
-            stand
-                .resolve()
-                .unwrap_or_else(|error| panic!("{file}: {error}"));
+            stand.resolve().unwrap_or_else(|error| panic!("{file}: {error}"));
         }
     }
 }
@@ -65,9 +48,7 @@ fn shipped_scenes_are_valid_short_and_survive_writing() {
 #[test]
 fn the_field_of_the_paper_has_its_numbers() {
     let mut scenes = shipped().into_iter();
-    let (file, text) = scenes
-        .find(|(file, _)| file == "paper.ron")
-        .expect("shipped");
+    let (file, text) = scenes.find(|(file, _)| file == "paper.ron").expect("shipped");
     let scene = Scene::parse(&text, &file).expect("valid");
     assert_eq!(scene.field.patches, Some([88, 88]));
     let cell = scene.field.patch_side / scene.stands[0].cells as f32;
@@ -78,16 +59,10 @@ fn the_field_of_the_paper_has_its_numbers() {
 fn five_lines_are_a_scene() {
     let text = "(\n    version: 1,\n    stands: [(species: Meadow)],\n)\n";
     let scene = Scene::parse(text, "small.ron").expect("valid");
-    assert_eq!(
-        (scene.seed, scene.steps_per_second, scene.budget.patches),
-        (1, 60, 225)
-    );
+    assert_eq!((scene.seed, scene.steps_per_second, scene.budget.patches), (1, 60, 225));
     let meadow = scene.stands[0].resolve().expect("valid");
     assert_eq!(meadow.name, "meadow");
-    assert_eq!(
-        (meadow.continuum.kappa, meadow.billboard.segments),
-        (114.0, 4)
-    );
+    assert_eq!((meadow.continuum.kappa, meadow.billboard.segments), (114.0, 4));
 }
 
 #[test]
@@ -97,36 +72,21 @@ fn an_author_overrides_part_of_a_species() {
         representation: Billboard(segments: 3))])";
     let scene = Scene::parse(text, "reed.ron").expect("valid");
     let reed = scene.stands[0].resolve().expect("valid");
-    assert_eq!(
-        (reed.name.as_str(), reed.height, reed.billboard.segments),
-        ("bank", [1.5, 2.0], 3)
-    );
+    assert_eq!((reed.name.as_str(), reed.height, reed.billboard.segments), ("bank", [1.5, 2.0], 3));
     let continuum = reed.continuum;
-    assert!(
-        (continuum.kappa - 25.266).abs() < 1e-3,
-        "{}",
-        continuum.kappa
-    );
-    assert_eq!(
-        (continuum.kappa_omega, continuum.mu),
-        (continuum.kappa, 0.5)
-    );
+    assert!((continuum.kappa - 25.266).abs() < 1e-3, "{}", continuum.kappa);
+    assert_eq!((continuum.kappa_omega, continuum.mu), (continuum.kappa, 0.5));
     assert_eq!(continuum.c0, 2.5);
 }
 
 #[test]
 fn a_star_is_not_convex_but_a_square_is_either_way_round() {
-    let scene =
-        |points: &str| format!("(version: 1, interactors: [(shape: Polygon(points: [{points}]))])");
+    let scene = |points: &str| format!("(version: 1, interactors: [(shape: Polygon(points: [{points}]))])");
     assert!(Scene::parse(&scene("(0, 0), (0, 1), (1, 1), (1, 0)"), "").is_ok());
     assert!(Scene::parse(&scene("(0, 0), (1, 0), (1, 1), (0, 1)"), "").is_ok());
     let star = "(0, 1), (-0.59, -0.81), (0.95, 0.31), (-0.95, 0.31), (0.59, -0.81)";
     assert!(error_of(&scene(star)).message.contains("convex"));
-    assert!(
-        error_of(&scene("(0, 0), (1, 0), (2, 0), (2, 1)"))
-            .message
-            .contains("convex")
-    );
+    assert!(error_of(&scene("(0, 0), (1, 0), (2, 0), (2, 1)")).message.contains("convex"));
 }
 
 /// `SWARD_ACCEPT=1 cargo test -p sward --test scenes` rewrites the page.
@@ -138,20 +98,9 @@ fn the_reference_page_is_current() {
         std::fs::create_dir_all(root().join("docs")).expect("writable");
         std::fs::write(&path, &page).expect("writable");
     }
-    let stored = std::fs::read_to_string(&path)
-        .unwrap_or_default()
-        .replace("\r\n", "\n");
-    assert!(
-        stored == page,
-        "docs/scene-format.md is not current: run this test with SWARD_ACCEPT=1"
-    );
-    for word in [
-        "ContinuumOverrides",
-        "frequency",
-        "visible_plants",
-        "turbulence",
-        "Tussock",
-    ] {
+    let stored = std::fs::read_to_string(&path).unwrap_or_default().replace("\r\n", "\n");
+    assert!(stored == page, "docs/scene-format.md is not current: run this test with SWARD_ACCEPT=1");
+    for word in ["ContinuumOverrides", "frequency", "visible_plants", "turbulence", "Tussock"] {
         assert!(page.contains(word), "{word}");
     }
 }
@@ -197,9 +146,6 @@ proptest! {
 #[test]
 fn deep_nesting_is_refused() {
     let level = "Compound(parts: [(shape: ";
-    let deep = format!(
-        "(version: 1, interactors: [(shape: {}",
-        level.repeat(10_000)
-    );
+    let deep = format!("(version: 1, interactors: [(shape: {}", level.repeat(10_000));
     assert!(error_of(&deep).message.to_lowercase().contains("recursion"));
 }

@@ -45,13 +45,7 @@ mod tests {
             (u32::MAX, i32::MIN, i32::MAX, u32::MAX, u32::MAX),
         ];
         let hashes = cases.map(|(s, x, z, c, p)| hash(s, x, z, c, p));
-        assert_eq!(
-            hashes,
-            [
-                920646579, 669316542, 3842895649, 1520030294, 2328731694, 3356322696, 4154286928,
-                2658733002
-            ]
-        );
+        assert_eq!(hashes, [920646579, 669316542, 3842895649, 1520030294, 2328731694, 3356322696, 4154286928, 2658733002]);
     }
 
     /// Chi-square of `unit` over 64 bins, 63 degrees of freedom: 99.9 % of fair ones lie in 33 to 108.
@@ -62,9 +56,7 @@ mod tests {
             bins[(unit(choice(i)) * 64.0) as usize] += 1.0;
         }
         let expected = f64::from(COUNT) / 64.0;
-        bins.iter()
-            .map(|n: &f64| (n - expected) * (n - expected) / expected)
-            .sum()
+        bins.iter().map(|n: &f64| (n - expected) * (n - expected) / expected).sum()
     }
 
     #[test]
@@ -81,10 +73,7 @@ mod tests {
             let score = chi_square(choice);
             assert!((30.0..115.0).contains(&score), "argument {i}: {score}");
         }
-        assert!(
-            chi_square(|i| i << 14 & 0xff00_0000) > 1000.0,
-            "a bad hash must fail"
-        );
+        assert!(chi_square(|i| i << 14 & 0xff00_0000) > 1000.0, "a bad hash must fail");
         assert!((0..100_000).all(|i| (0.0..1.0).contains(&unit(hash(i, 5, 6, 7, 8)))));
         assert_eq!(unit(u32::MAX), 1.0 - 1.0 / 16777216.0);
     }

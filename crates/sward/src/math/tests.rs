@@ -12,17 +12,11 @@ fn sweep(low: f64, high: f64) -> impl Iterator<Item = f32> {
 /// Positive arguments over all magnitudes in a range, by their bits.
 fn sweep_bits(low: f32, high: f32) -> impl Iterator<Item = f32> {
     let step = (high.to_bits() - low.to_bits()) / 1_000_000;
-    (low.to_bits()..=high.to_bits())
-        .step_by(step as usize)
-        .map(f32::from_bits)
+    (low.to_bits()..=high.to_bits()).step_by(step as usize).map(f32::from_bits)
 }
 
 fn relative(ours: f32, exact: f64) -> f64 {
-    if exact == 0.0 {
-        f64::from(ours).abs()
-    } else {
-        ((f64::from(ours) - exact) / exact).abs()
-    }
+    if exact == 0.0 { f64::from(ours).abs() } else { ((f64::from(ours) - exact) / exact).abs() }
 }
 
 fn absolute(ours: f32, exact: f64) -> f64 {
@@ -36,85 +30,31 @@ fn worst(arguments: impl Iterator<Item = f32>, error: impl Fn(f32) -> f64) -> f6
         count += 1;
         let error = error(x);
         // NaN is the worst error of all, and stays.
-        worst = if error <= worst || f64::is_nan(worst) {
-            worst
-        } else {
-            error
-        };
+        worst = if error <= worst || f64::is_nan(worst) { worst } else { error };
     }
-    assert!(
-        count >= 1_000_000,
-        "a sweep of {count} arguments proves little"
-    );
+    assert!(count >= 1_000_000, "a sweep of {count} arguments proves little");
     worst
 }
 
 fn check(what: &str, worst: f64, bound: f64) {
     println!("{what}: {worst:.3e} (allowed {bound:.1e})");
-    assert!(
-        worst <= bound,
-        "{what}: error {worst:.3e} exceeds {bound:.1e}"
-    );
+    assert!(worst <= bound, "{what}: error {worst:.3e} exceeds {bound:.1e}");
 }
 
 #[test]
 fn errors_stay_within_the_documented_bounds() {
-    check(
-        "exp",
-        worst(sweep(-87.3, 88.0), |x| relative(exp(x), f64::from(x).exp())),
-        1.2e-7,
-    );
+    check("exp", worst(sweep(-87.3, 88.0), |x| relative(exp(x), f64::from(x).exp())), 1.2e-7);
     for reach in [1.0, 10.0, 1e4] {
         let wide = || sweep(-reach, reach);
-        check(
-            "sin",
-            worst(wide(), |x| absolute(sin_cos(x).0, f64::from(x).sin())),
-            1e-7,
-        );
-        check(
-            "cos",
-            worst(wide(), |x| absolute(sin_cos(x).1, f64::from(x).cos())),
-            1e-7,
-        );
+        check("sin", worst(wide(), |x| absolute(sin_cos(x).0, f64::from(x).sin())), 1e-7);
+        check("cos", worst(wide(), |x| absolute(sin_cos(x).1, f64::from(x).cos())), 1e-7);
     }
-    check(
-        "sin, digits",
-        worst(sweep(-6.3, 6.3), |x| {
-            relative(sin_cos(x).0, f64::from(x).sin())
-        }),
-        1.3e-7,
-    );
-    check(
-        "cos, digits",
-        worst(sweep(-6.3, 6.3), |x| {
-            relative(sin_cos(x).1, f64::from(x).cos())
-        }),
-        1.3e-7,
-    );
-    check(
-        "tan",
-        worst(sweep(-1.57, 1.57), |x| relative(tan(x), f64::from(x).tan())),
-        3e-7,
-    );
-    check(
-        "atan",
-        worst(sweep(-5.0, 5.0), |x| relative(atan(x), f64::from(x).atan())),
-        2.1e-7,
-    );
-    check(
-        "atan, all",
-        worst(sweep_bits(1e-37, f32::MAX), |x| {
-            relative(atan(x), f64::from(x).atan())
-        }),
-        2.1e-7,
-    );
-    check(
-        "cbrt",
-        worst(sweep_bits(1.2e-38, 1e38), |x| {
-            relative(cbrt(x), f64::from(x).cbrt())
-        }),
-        1.3e-7,
-    );
+    check("sin, digits", worst(sweep(-6.3, 6.3), |x| relative(sin_cos(x).0, f64::from(x).sin())), 1.3e-7);
+    check("cos, digits", worst(sweep(-6.3, 6.3), |x| relative(sin_cos(x).1, f64::from(x).cos())), 1.3e-7);
+    check("tan", worst(sweep(-1.57, 1.57), |x| relative(tan(x), f64::from(x).tan())), 3e-7);
+    check("atan", worst(sweep(-5.0, 5.0), |x| relative(atan(x), f64::from(x).atan())), 2.1e-7);
+    check("atan, all", worst(sweep_bits(1e-37, f32::MAX), |x| relative(atan(x), f64::from(x).atan())), 2.1e-7);
+    check("cbrt", worst(sweep_bits(1.2e-38, 1e38), |x| relative(cbrt(x), f64::from(x).cbrt())), 1.3e-7);
     check(
         "atan2",
         worst(sweep(-10.0, 10.0), |a| {
@@ -136,36 +76,15 @@ fn the_error_check_notices_one_wrong_digit() {
 
 #[test]
 fn every_argument_is_answered() {
-    let edges = [
-        0.0,
-        -0.0,
-        1e-45,
-        f32::MIN_POSITIVE,
-        1e9,
-        3e38,
-        f32::INFINITY,
-        f32::NEG_INFINITY,
-        f32::NAN,
-    ];
+    let edges = [0.0, -0.0, 1e-45, f32::MIN_POSITIVE, 1e9, 3e38, f32::INFINITY, f32::NEG_INFINITY, f32::NAN];
     for x in edges.into_iter().flat_map(|x| [x, -x]) {
         assert!(exp(x).is_normal(), "exp({x})");
         let (s, c) = sin_cos(x);
         assert!(s.abs() <= 1.0 && c.abs() <= 1.0, "sin_cos({x}) = {s}, {c}");
         let (s, c) = sin_cos_f64(f64::from(x));
-        assert!(
-            s.abs() <= 1.0 && c.abs() <= 1.0,
-            "sin_cos_f64({x}) = {s}, {c}"
-        );
-        assert_eq!(
-            clamped(x, -2.0, 3.0),
-            if x.is_nan() { -2.0 } else { x.clamp(-2.0, 3.0) }
-        );
-        let _ = (
-            tan(x),
-            cbrt(x),
-            atan2(x, x),
-            atan2_f64(f64::from(x), f64::from(x)),
-        );
+        assert!(s.abs() <= 1.0 && c.abs() <= 1.0, "sin_cos_f64({x}) = {s}, {c}");
+        assert_eq!(clamped(x, -2.0, 3.0), if x.is_nan() { -2.0 } else { x.clamp(-2.0, 3.0) });
+        let _ = (tan(x), cbrt(x), atan2(x, x), atan2_f64(f64::from(x), f64::from(x)));
     }
     assert_eq!(atan(f32::INFINITY), FRAC_PI_2);
     assert_eq!(atan(f32::NEG_INFINITY), -FRAC_PI_2);
@@ -195,10 +114,7 @@ fn each(arguments: &[f32], function: impl Fn(f32) -> f32) -> Vec<u32> {
 fn differing(wide: &[u32], arguments: &[f32], function: impl Fn(f32) -> f32) -> usize {
     let single = arguments.iter().map(|x| function(black_box(*x)).to_bits());
     assert!(wide.len() == arguments.len() && !wide.is_empty());
-    wide.iter()
-        .zip(single)
-        .filter(|(wide, single)| **wide != *single)
-        .count()
+    wide.iter().zip(single).filter(|(wide, single)| **wide != *single).count()
 }
 
 #[test]
@@ -210,45 +126,21 @@ fn scalar_and_vector_loops_give_the_same_bits() {
             assert_eq!(differing(&wide, &arguments, $function), 0, stringify!($function));
         )*};
     }
-    same!(
-        exp,
-        |x| sin_cos(x).0,
-        |x| sin_cos(x).1,
-        tan,
-        atan,
-        |x| atan2(x, 1.5),
-        |x| atan2(-1.5, x),
-        cbrt
-    );
-    same!(|x| lower(x, 2.0), |x| upper(x, -0.0), |x| clamped(
-        x, -1.0, 1.0
-    ));
+    same!(exp, |x| sin_cos(x).0, |x| sin_cos(x).1, tan, atan, |x| atan2(x, 1.5), |x| atan2(-1.5, x), cbrt);
+    same!(|x| lower(x, 2.0), |x| upper(x, -0.0), |x| clamped(x, -1.0, 1.0));
     same!(|x: f32| unit(hash(x.to_bits(), 1, -2, 3, 4)));
     let fused = each(&arguments, |x| x.mul_add(x, 0.1));
-    assert!(
-        differing(&fused, &arguments, |x| x * x + 0.1) > 0,
-        "the comparison must notice a fused product"
-    );
+    assert!(differing(&fused, &arguments, |x| x * x + 0.1) > 0, "the comparison must notice a fused product");
 }
 
 /// The numbers with a point or an exponent in a WGSL text.
 fn literals(text: &str) -> Vec<f32> {
-    let code = text
-        .lines()
-        .map(|line| line.split("//").next().unwrap_or_default());
+    let code = text.lines().map(|line| line.split("//").next().unwrap_or_default());
     let mut found = Vec::new();
     for line in code {
-        for word in line
-            .replace("e-", "e~")
-            .split(|c: char| !(c.is_ascii_alphanumeric() || c == '.' || c == '~'))
-        {
+        for word in line.replace("e-", "e~").split(|c: char| !(c.is_ascii_alphanumeric() || c == '.' || c == '~')) {
             if word.starts_with(|c: char| c.is_ascii_digit()) {
-                found.extend(
-                    word.replace('~', "-")
-                        .parse::<f32>()
-                        .ok()
-                        .filter(|_| word.contains('.')),
-                );
+                found.extend(word.replace('~', "-").parse::<f32>().ok().filter(|_| word.contains('.')));
             }
         }
     }
@@ -257,49 +149,25 @@ fn literals(text: &str) -> Vec<f32> {
 
 fn missing(coefficients: &[f32], text: &str) -> Vec<f32> {
     let found = literals(text);
-    coefficients
-        .iter()
-        .copied()
-        .filter(|c| !found.iter().any(|f| f.to_bits() == c.abs().to_bits()))
-        .collect()
+    coefficients.iter().copied().filter(|c| !found.iter().any(|f| f.to_bits() == c.abs().to_bits())).collect()
 }
 
 #[test]
 fn both_twins_use_the_same_coefficients() {
-    let all: Vec<f32> = [
-        &EXP_RANGE[..],
-        &EXP_REDUCTION,
-        &EXP,
-        &QUARTER_TURN,
-        &[EIGHTH_TURN],
-        &SIN,
-        &COS,
-        &ATAN_FOLDS,
-        &ATAN,
-        &[SMALLEST, PI],
-    ]
-    .concat();
+    let all: Vec<f32> =
+        [&EXP_RANGE[..], &EXP_REDUCTION, &EXP, &QUARTER_TURN, &[EIGHTH_TURN], &SIN, &COS, &ATAN_FOLDS, &ATAN, &[SMALLEST, PI]].concat();
     assert_eq!(all.len(), 32);
     assert_eq!(missing(&all, WGSL), [], "not in math.wgsl");
     let off = f32::from_bits(EXP[3].to_bits() + 1);
-    assert_eq!(
-        missing(&[EXP[3], off], WGSL),
-        [off],
-        "the search must notice a last digit"
-    );
+    assert_eq!(missing(&[EXP[3], off], WGSL), [off], "the search must notice a last digit");
 }
 
 /// Parses and validates WGSL files joined to one text, as a GPU would.
 pub(crate) fn validate(parts: &[&str]) -> Result<(), String> {
     let text = parts.concat();
     let module = naga::front::wgsl::parse_str(&text).map_err(|e| e.emit_to_string(&text))?;
-    let mut validator = naga::valid::Validator::new(
-        naga::valid::ValidationFlags::all(),
-        naga::valid::Capabilities::empty(),
-    );
-    validator
-        .validate(&module)
-        .map_err(|e| e.emit_to_string(&text))?;
+    let mut validator = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
+    validator.validate(&module).map_err(|e| e.emit_to_string(&text))?;
     Ok(())
 }
 

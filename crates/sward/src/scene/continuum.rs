@@ -57,16 +57,10 @@ impl Continuum {
     ///
     /// # Errors
     /// Both of two ways to say the same thing are given, or the damping ratio gives a λ outside its range.
-    pub(super) fn tuned(
-        &self,
-        overrides: &ContinuumOverrides,
-        trail: &Trail,
-    ) -> Result<Self, Problem> {
+    pub(super) fn tuned(&self, overrides: &ContinuumOverrides, trail: &Trail) -> Result<Self, Problem> {
         let both = |name, instead: &str| {
-            let message =
-                format!("both `{name}` and `{instead}` are given, and they mean the same");
-            Err(Problem::at(trail.clone().key(name), message)
-                .help(format!("keep `{name}` or `{instead}`")))
+            let message = format!("both `{name}` and `{instead}` are given, and they mean the same");
+            Err(Problem::at(trail.clone().key(name), message).help(format!("keep `{name}` or `{instead}`")))
         };
         if overrides.frequency.is_some() && overrides.kappa.is_some() {
             return both("frequency", "kappa");
@@ -101,16 +95,9 @@ impl Continuum {
 
 fn out_of_reach(damping: f32, tuned: &Continuum, trail: &Trail) -> Problem {
     let (frequency, lambda) = (tuned.frequency(), tuned.lambda_theta);
-    let message = format!(
-        "`damping` {damping} at {frequency:.2} Hz needs lambda_theta {lambda:.3}, allowed 0.01 to 0.95"
-    );
-    let change = if lambda < 0.5 {
-        "raise `damping` or the frequency"
-    } else {
-        "lower `damping` or the frequency"
-    };
-    Problem::at(trail.clone().key("damping"), message)
-        .help(format!("{change}, or give `lambda_theta`"))
+    let message = format!("`damping` {damping} at {frequency:.2} Hz needs lambda_theta {lambda:.3}, allowed 0.01 to 0.95");
+    let change = if lambda < 0.5 { "raise `damping` or the frequency" } else { "lower `damping` or the frequency" };
+    Problem::at(trail.clone().key("damping"), message).help(format!("{change}, or give `lambda_theta`"))
 }
 
 /// κ = (2πf)² in 1/s² of a frequency in Hz.
@@ -127,9 +114,7 @@ fn lambda_of(damping: f32, kappa: f32) -> f32 {
 /// e^(−x) for 0 ≤ x ≤ 32, by halving, series and squaring: the same bits on every machine, which std does not promise.
 fn decay(x: f64) -> f64 {
     let small = -x / 256.0;
-    let series = (1..=12)
-        .rev()
-        .fold(1.0, |sum, order| 1.0 + sum * small / f64::from(order));
+    let series = (1..=12).rev().fold(1.0, |sum, order| 1.0 + sum * small / f64::from(order));
     (0..8).fold(series, |power, _| power * power)
 }
 
@@ -149,28 +134,14 @@ mod tests {
     /// The second row of numbers in the presets says the same as the first, in hertz and damping ratio.
     #[test]
     fn frequency_and_damping_give_the_species_back() {
-        let rows = [
-            (Species::Lawn, 1.33, 2.49),
-            (Species::Meadow, 1.70, 0.36),
-            (Species::Reed, 1.04, 0.43),
-            (Species::Tussock, 3.18, 0.54),
-        ];
+        let rows =
+            [(Species::Lawn, 1.33, 2.49), (Species::Meadow, 1.70, 0.36), (Species::Reed, 1.04, 0.43), (Species::Tussock, 3.18, 0.54)];
         for (species, frequency, damping) in rows {
             let preset = species.continuum();
-            let overrides = ContinuumOverrides {
-                frequency: Some(frequency),
-                damping: Some(damping),
-                ..Default::default()
-            };
+            let overrides = ContinuumOverrides { frequency: Some(frequency), damping: Some(damping), ..Default::default() };
             let tuned = preset.tuned(&overrides, &Trail::default()).unwrap();
-            assert!(
-                (tuned.kappa / preset.kappa - 1.0).abs() < 0.015,
-                "{species:?} {tuned:?}"
-            );
-            assert!(
-                (tuned.lambda_theta - preset.lambda_theta).abs() < 0.003,
-                "{species:?} {tuned:?}"
-            );
+            assert!((tuned.kappa / preset.kappa - 1.0).abs() < 0.015, "{species:?} {tuned:?}");
+            assert!((tuned.lambda_theta - preset.lambda_theta).abs() < 0.003, "{species:?} {tuned:?}");
             assert_eq!(tuned.kappa_omega, tuned.kappa);
             assert!((preset.frequency() - frequency).abs() < 0.01);
         }
@@ -179,9 +150,6 @@ mod tests {
     #[test]
     fn nothing_overridden_is_the_species() {
         let preset = Species::Reed.continuum();
-        assert_eq!(
-            preset.tuned(&ContinuumOverrides::default(), &Trail::default()),
-            Ok(preset)
-        );
+        assert_eq!(preset.tuned(&ContinuumOverrides::default(), &Trail::default()), Ok(preset));
     }
 }

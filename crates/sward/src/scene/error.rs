@@ -28,6 +28,11 @@ pub struct SceneError {
 }
 
 impl SceneError {
+    /// A file that the scene names, not the scene itself, is at fault.
+    pub(crate) fn in_file(file: &str, message: String) -> Self {
+        Self { file: file.to_owned(), line: 0, column: 0, message, help: None, text: String::new() }
+    }
+
     /// Where the trouble starts in `text`, up to the end of that line, in bytes. Empty if the place is not known.
     #[must_use]
     pub fn span(&self) -> Range<usize> {
@@ -48,36 +53,20 @@ impl SceneError {
     }
 
     fn advice(&self) -> String {
-        self.help
-            .as_ref()
-            .map_or_else(String::new, |help| format!("\n  help: {help}"))
+        self.help.as_ref().map_or_else(String::new, |help| format!("\n  help: {help}"))
     }
 
     /// The reader's complaint, in our words.
     pub(super) fn from_reader(error: &ron::error::SpannedError, text: &str, file: &str) -> Self {
         let (message, help) = explain::explain(&error.code);
         let (line, column) = locate::line_and_column(text, reader_offset(error, text));
-        Self {
-            file: file.to_owned(),
-            line,
-            column,
-            message,
-            help,
-            text: text.to_owned(),
-        }
+        Self { file: file.to_owned(), line, column, message, help, text: text.to_owned() }
     }
 
     /// A problem found after reading, with its place looked up in the text.
     pub(super) fn from_problem(problem: Problem, text: &str, file: &str) -> Self {
         let (line, column) = locate::line_and_column(text, locate::locate(text, &problem.trail));
-        Self {
-            file: file.to_owned(),
-            line,
-            column,
-            message: problem.message,
-            help: problem.help,
-            text: text.to_owned(),
-        }
+        Self { file: file.to_owned(), line, column, message: problem.message, help: problem.help, text: text.to_owned() }
     }
 }
 
@@ -85,18 +74,10 @@ impl SceneError {
 fn reader_offset(error: &ron::error::SpannedError, text: &str) -> usize {
     use ron::error::Error;
     let missing = matches!(error.code, Error::ExpectedComma | Error::Eof);
-    let place = if missing {
-        error.span.end
-    } else {
-        error.span.start
-    };
+    let place = if missing { error.span.end } else { error.span.start };
     let offset = locate::offset(text, place.line, place.col);
     let rest = text[offset..].trim_start();
-    if rest.is_empty() {
-        offset
-    } else {
-        text.len() - rest.len()
-    }
+    if rest.is_empty() { offset } else { text.len() - rest.len() }
 }
 
 impl From<Problem> for SceneError {
@@ -125,18 +106,11 @@ pub struct Problem {
 
 impl Problem {
     pub(super) fn at(trail: Trail, message: impl Into<String>) -> Self {
-        Self {
-            trail,
-            message: message.into(),
-            help: None,
-        }
+        Self { trail, message: message.into(), help: None }
     }
 
     pub(super) fn help(self, help: impl Into<String>) -> Self {
-        Self {
-            help: Some(help.into()),
-            ..self
-        }
+        Self { help: Some(help.into()), ..self }
     }
 }
 

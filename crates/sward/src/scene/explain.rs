@@ -5,42 +5,19 @@ use ron::error::Error;
 /// Message and advice for a reader's error.
 pub(super) fn explain(error: &Error) -> (String, Option<String>) {
     match error {
-        Error::NoSuchStructField {
-            expected,
-            found,
-            outer,
-        } => {
-            let whose = outer
-                .as_deref()
-                .map_or_else(String::new, |name| format!("`{name}` has "));
-            (
-                format!("{whose}no field `{found}`"),
-                Some(suggest(found, expected)),
-            )
+        Error::NoSuchStructField { expected, found, outer } => {
+            let whose = outer.as_deref().map_or_else(String::new, |name| format!("`{name}` has "));
+            (format!("{whose}no field `{found}`"), Some(suggest(found, expected)))
         }
-        Error::NoSuchEnumVariant {
-            expected,
-            found,
-            outer,
-        } => {
-            let what = outer
-                .as_deref()
-                .map_or_else(String::new, |name| format!(" as `{name}`"));
-            (
-                format!("`{found}` is not known{what}"),
-                Some(suggest(found, expected)),
-            )
+        Error::NoSuchEnumVariant { expected, found, outer } => {
+            let what = outer.as_deref().map_or_else(String::new, |name| format!(" as `{name}`"));
+            (format!("`{found}` is not known{what}"), Some(suggest(found, expected)))
         }
         Error::MissingStructField { field, outer } => {
-            let place = outer
-                .as_deref()
-                .map_or_else(String::new, |name| format!(" in `{name}`"));
+            let place = outer.as_deref().map_or_else(String::new, |name| format!(" in `{name}`"));
             (format!("`{field}` is missing{place}"), Some(missing(field)))
         }
-        Error::DuplicateStructField { field, .. } => (
-            format!("`{field}` is given twice"),
-            Some("keep one of the two".to_owned()),
-        ),
+        Error::DuplicateStructField { field, .. } => (format!("`{field}` is given twice"), Some("keep one of the two".to_owned())),
         other => (sentence(other), advice(other).map(str::to_owned)),
     }
 }
@@ -51,10 +28,7 @@ pub(super) fn suggest(found: &str, known: &[&str]) -> String {
         [] => return "nothing can stand here".to_owned(),
         known => known.join(", "),
     };
-    nearest(found, known).map_or_else(
-        || format!("known: {list}"),
-        |name| format!("did you mean `{name}`? known: {list}"),
-    )
+    nearest(found, known).map_or_else(|| format!("known: {list}"), |name| format!("did you mean `{name}`? known: {list}"))
 }
 
 /// The known name most like `found`, if any is like it at all.
@@ -68,8 +42,7 @@ fn nearest<'a>(found: &str, known: &[&'a str]) -> Option<&'a str> {
     };
     let rated = known.iter().map(|name| (likeness(name), *name));
     let best = rated.max_by(|a, b| a.0.total_cmp(&b.0));
-    best.filter(|(rating, _)| *rating >= 0.5)
-        .map(|(_, name)| name)
+    best.filter(|(rating, _)| *rating >= 0.5).map(|(_, name)| name)
 }
 
 fn missing(field: &str) -> String {
@@ -86,9 +59,7 @@ fn sentence(error: &Error) -> String {
     }
     let text = error.to_string();
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_lowercase().chain(letters).collect()
-    })
+    letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }
 
 fn advice(error: &Error) -> Option<&'static str> {
@@ -96,17 +67,11 @@ fn advice(error: &Error) -> Option<&'static str> {
         Error::ExpectedStructLike | Error::ExpectedNamedStructLike(_) => {
             "groups and vectors stand in round brackets: (name: value) or (1.0, 2.0); `()` takes every default"
         }
-        Error::ExpectedArray | Error::ExpectedArrayEnd => {
-            "lists stand in square brackets: [first, second]"
-        }
-        Error::ExpectedStructLikeEnd | Error::ExpectedComma => {
-            "a comma or `)` is missing before this"
-        }
+        Error::ExpectedArray | Error::ExpectedArrayEnd => "lists stand in square brackets: [first, second]",
+        Error::ExpectedStructLikeEnd | Error::ExpectedComma => "a comma or `)` is missing before this",
         Error::ExpectedMapColon => "write `name: value`",
         Error::ExpectedString => "text stands in double quotes",
-        Error::IntegerOutOfBounds => {
-            "the number is too large, or negative where only 0 and above is allowed"
-        }
+        Error::IntegerOutOfBounds => "the number is too large, or negative where only 0 and above is allowed",
         Error::ExpectedInteger => "a whole number without a point stands here",
         Error::ExpectedFloat => "a number stands here",
         Error::ExpectedBoolean => "`true` or `false` stands here",

@@ -25,16 +25,8 @@ pub(super) fn locate(text: &str, trail: &Trail) -> usize {
 pub(super) fn line_and_column(text: &str, offset: usize) -> (u32, u32) {
     let before = text.get(..offset).unwrap_or(text);
     let line = before.matches('\n').count() + 1;
-    let column = before
-        .chars()
-        .rev()
-        .take_while(|&letter| letter != '\n')
-        .count()
-        + 1;
-    (
-        u32::try_from(line).unwrap_or(u32::MAX),
-        u32::try_from(column).unwrap_or(u32::MAX),
-    )
+    let column = before.chars().rev().take_while(|&letter| letter != '\n').count() + 1;
+    (u32::try_from(line).unwrap_or(u32::MAX), u32::try_from(column).unwrap_or(u32::MAX))
 }
 
 /// Byte offset of a line and column, both from 1; the end of the line or the text if there is no such place.
@@ -53,12 +45,7 @@ fn mask(text: &str) -> Vec<u8> {
     while at < bytes.len() {
         let rest = &text.as_bytes()[at..];
         let (length, filler) = if rest.starts_with(b"//") {
-            (
-                rest.iter()
-                    .position(|&byte| byte == b'\n')
-                    .unwrap_or(rest.len()),
-                b' ',
-            )
+            (rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len()), b' ')
         } else if rest.starts_with(b"/*") {
             (block_comment(rest), b' ')
         } else if rest[0] == b'"' {
@@ -113,10 +100,7 @@ fn raw_quoted(rest: &[u8]) -> Option<usize> {
 }
 
 fn after_space(masked: &[u8], at: usize) -> usize {
-    at + masked[at..]
-        .iter()
-        .take_while(|byte| byte.is_ascii_whitespace())
-        .count()
+    at + masked[at..].iter().take_while(|byte| byte.is_ascii_whitespace()).count()
 }
 
 fn after_word(masked: &[u8], at: usize) -> usize {
@@ -194,12 +178,7 @@ mod tests {
     #[test]
     fn a_value_is_found_among_comments_strings_and_options() {
         let text = "#![enable(implicit_some)]\n( // a: 1\n a: \"b: ( \\\" \", /* b: /* [ */ */ r#b: X(c: [ (d: 1),\n (e: Some((f: r#\"\"[\"#, g: 7))) ]) )";
-        let trail = Trail::default()
-            .key("b")
-            .key("c")
-            .index(1)
-            .key("e")
-            .key("g");
+        let trail = Trail::default().key("b").key("c").index(1).key("e").key("g");
         let offset = locate(text, &trail);
         assert_eq!(&text[offset..=offset], "7");
         assert_eq!(line_and_column(text, offset).0, 4);
@@ -210,10 +189,7 @@ mod tests {
     #[test]
     fn any_text_gives_an_answer() {
         let trail = Trail::default().key("a").index(3).key("b");
-        for text in [
-            "", "(", "(a", "(a:", "(a: [,,,", "/*", "\"", "\"\\", "r#\"", "#", "Some", "Some(",
-            "(a: Some", "ä(",
-        ] {
+        for text in ["", "(", "(a", "(a:", "(a: [,,,", "/*", "\"", "\"\\", "r#\"", "#", "Some", "Some(", "(a: Some", "ä("] {
             assert!(locate(text, &trail) <= text.len());
         }
     }

@@ -112,11 +112,8 @@ impl Scene {
     pub fn parse(text: &str, file: &str) -> Result<Self, SceneError> {
         let refuse = |problem| SceneError::from_problem(problem, text, file);
         rules::not_newer(text).map_err(refuse)?;
-        let scene =
-            Self::read(text).map_err(|error| SceneError::from_reader(&error, text, file))?;
-        scene
-            .problem()
-            .map_or(Ok(scene), |problem| Err(refuse(problem)))
+        let scene = Self::read(text).map_err(|error| SceneError::from_reader(&error, text, file))?;
+        scene.problem().map_or(Ok(scene), |problem| Err(refuse(problem)))
     }
 
     /// Checks a scene built in code as strictly as one that was read. Its errors have no place, but the path of the field.
@@ -141,19 +138,14 @@ impl Scene {
     }
 
     fn problem(&self) -> Option<Problem> {
-        self.check(&Trail::default())
-            .and_then(|()| rules::check(self))
-            .err()
+        self.check(&Trail::default()).and_then(|()| rules::check(self)).err()
     }
 }
 
 /// The dialect of RON that scenes are written in: no `Some(…)`, no doubled brackets.
 fn options() -> ron::Options {
-    ron::Options::default().with_default_extension(
-        Extensions::IMPLICIT_SOME
-            | Extensions::UNWRAP_NEWTYPES
-            | Extensions::UNWRAP_VARIANT_NEWTYPES,
-    )
+    ron::Options::default()
+        .with_default_extension(Extensions::IMPLICIT_SOME | Extensions::UNWRAP_NEWTYPES | Extensions::UNWRAP_VARIANT_NEWTYPES)
 }
 
 /// A value as it would be written in a scene, on one line.

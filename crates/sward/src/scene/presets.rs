@@ -34,9 +34,7 @@ impl Stand {
             name: self.label(),
             height: self.height.unwrap_or_else(|| self.species.height()),
             continuum: match &self.response {
-                Some(Response::Continuum(overrides)) => {
-                    continuum.tuned(overrides, &trail.clone().key("response"))?
-                }
+                Some(Response::Continuum(overrides)) => continuum.tuned(overrides, &trail.clone().key("response"))?,
                 None => continuum,
             },
             billboard: match &self.representation {
@@ -63,35 +61,14 @@ impl Species {
     #[must_use]
     pub fn continuum(&self) -> Continuum {
         // c0 [m/s], mu, lambda_theta, lambda_omega, kappa [1/s²], wind, gamma_top and gamma_recover [s]
-        let [
-            c0,
-            mu,
-            lambda_theta,
-            lambda_omega,
-            kappa,
-            wind,
-            gamma_top,
-            gamma_recover,
-        ] = match self {
+        let [c0, mu, lambda_theta, lambda_omega, kappa, wind, gamma_top, gamma_recover] = match self {
             Self::Lawn => [1.0, 0.02, 0.50, 0.50, 70.0, 0.0159, 0.0, 0.0],
             Self::Meadow => [2.0, 0.06, 0.12, 0.20, 114.0, 0.0356, 0.12, 0.06],
             Self::Reed => [2.5, 0.10, 0.09, 0.15, 43.0, 0.0385, 0.30, 0.15],
             Self::Tussock => [3.0, 0.03, 0.30, 0.35, 400.0, 0.0142, 0.05, 0.03],
         };
         let (c_omega, kappa_omega, lag) = (c0, kappa, Lag::Cascade);
-        Continuum {
-            c0,
-            mu,
-            c_omega,
-            lambda_theta,
-            lambda_omega,
-            kappa,
-            kappa_omega,
-            wind,
-            lag,
-            gamma_top,
-            gamma_recover,
-        }
+        Continuum { c0, mu, c_omega, lambda_theta, lambda_omega, kappa, kappa_omega, wind, lag, gamma_top, gamma_recover }
     }
 
     /// How the species looks.
@@ -104,14 +81,6 @@ impl Species {
             Self::Tussock => (2, 0.42, [0.055, 0.055, 0.022], [0.310, 0.280, 0.120], 0.60),
         };
         let (cards, plain_distance) = (2, 40.0);
-        Billboard {
-            segments,
-            width,
-            cards,
-            plain_distance,
-            colour_root,
-            colour_tip,
-            dryness,
-        }
+        Billboard { segments, width, cards, plain_distance, colour_root, colour_tip, dryness }
     }
 }

@@ -18,11 +18,7 @@ pub(super) fn check(scene: &Scene) -> Checked {
     unique(scene.stands.iter().map(Stand::label), &stands, "stands")?;
     let interactors = Trail::default().key("interactors");
     each(&scene.interactors, &interactors, interactor)?;
-    unique(
-        scene.interactors.iter().map(|body| body.name.clone()),
-        &interactors,
-        "interactors",
-    )?;
+    unique(scene.interactors.iter().map(|body| body.name.clone()), &interactors, "interactors")?;
     camera(&scene.camera, &scene.interactors)
 }
 
@@ -31,10 +27,7 @@ pub(super) fn not_newer(text: &str) -> Checked {
     let trail = Trail::default().key("version");
     let value = &text.as_bytes()[locate(text, &trail)..];
     let digits = value.iter().take_while(|byte| byte.is_ascii_digit());
-    let version = digits.fold(0_u32, |sum, digit| {
-        sum.saturating_mul(10)
-            .saturating_add(u32::from(digit - b'0'))
-    });
+    let version = digits.fold(0_u32, |sum, digit| sum.saturating_mul(10).saturating_add(u32::from(digit - b'0')));
     if version <= FORMAT_VERSION {
         return Ok(());
     }
@@ -43,9 +36,7 @@ pub(super) fn not_newer(text: &str) -> Checked {
 }
 
 fn each<T>(list: &[T], trail: &Trail, rule: impl Fn(&T, &Trail) -> Checked) -> Checked {
-    list.iter()
-        .enumerate()
-        .try_for_each(|(index, one)| rule(one, &trail.clone().index(index)))
+    list.iter().enumerate().try_for_each(|(index, one)| rule(one, &trail.clone().index(index)))
 }
 
 fn unique(names: impl Iterator<Item = String>, trail: &Trail, what: &str) -> Checked {
@@ -64,8 +55,7 @@ fn terrain(terrain: &Terrain) -> Checked {
     match terrain {
         Terrain::Image(image) if image.path.is_empty() => {
             let place = Trail::default().key("terrain").key("path");
-            Err(Problem::at(place, "`path` is empty")
-                .help("name a PNG, like \"assets/jacksboro.png\""))
+            Err(Problem::at(place, "`path` is empty").help("name a PNG, like \"assets/jacksboro.png\""))
         }
         _ => Ok(()),
     }
@@ -75,17 +65,13 @@ fn stand(stand: &Stand, trail: &Trail) -> Checked {
     if !stand.cells.is_multiple_of(8) {
         let (below, above) = (stand.cells / 8 * 8, stand.cells / 8 * 8 + 8);
         let message = format!("`cells` is {}, allowed are multiples of 8", stand.cells);
-        return Err(
-            Problem::at(trail.clone().key("cells"), message).help(format!("{below} or {above}"))
-        );
+        return Err(Problem::at(trail.clone().key("cells"), message).help(format!("{below} or {above}")));
     }
     let model = stand.resolve_at(trail)?;
     if model.height[0] > model.height[1] {
         let [low, high] = model.height;
         let message = format!("`height` runs from {low} down to {high}");
-        return Err(
-            Problem::at(trail.clone().key("height"), message).help(format!("({high}, {low})"))
-        );
+        return Err(Problem::at(trail.clone().key("height"), message).help(format!("({high}, {low})")));
     }
     Ok(())
 }
@@ -94,15 +80,12 @@ fn interactor(body: &Interactor, trail: &Trail) -> Checked {
     shape(&body.shape, &trail.clone().key("shape"))?;
     if body.from >= body.until {
         let message = format!("`until` is {} s, but `from` is {} s", body.until, body.from);
-        return Err(
-            Problem::at(trail.clone().key("until"), message).help("`until` is later than `from`")
-        );
+        return Err(Problem::at(trail.clone().key("until"), message).help("`until` is later than `from`"));
     }
     if let Path::Keyframes(keyframes) = &body.path {
         let keys = trail.clone().key("path").key("keys");
         if keyframes.keys.is_empty() {
-            return Err(Problem::at(keys, "`keys` is empty")
-                .help("give a place at a time: (time: 0, at: (0, 0))"));
+            return Err(Problem::at(keys, "`keys` is empty").help("give a place at a time: (time: 0, at: (0, 0))"));
         }
         if keyframes.repeat && keyframes.keys.len() < 2 {
             return Err(Problem::at(keys, "`repeat` needs at least two keys"));
@@ -133,15 +116,10 @@ fn shape(shape: &Shape, trail: &Trail) -> Checked {
         Shape::Compound(compound) => {
             let parts = trail.clone().key("parts");
             if compound.parts.is_empty() || compound.parts.len() > MOST_PARTS {
-                let message = format!(
-                    "`parts` has {}, allowed 1 to {MOST_PARTS}",
-                    compound.parts.len()
-                );
+                let message = format!("`parts` has {}, allowed 1 to {MOST_PARTS}", compound.parts.len());
                 return Err(Problem::at(parts, message));
             }
-            each(&compound.parts, &parts, |part, trail| {
-                simple(&part.shape, &trail.clone().key("shape"))
-            })
+            each(&compound.parts, &parts, |part, trail| simple(&part.shape, &trail.clone().key("shape")))
         }
         _ => Ok(()),
     }
@@ -178,9 +156,7 @@ fn convex(points: &[[f32; 2]], trail: &Trail) -> Checked {
     let one_way = turns.iter().all(|&turn| turn > 0.0) || turns.iter().all(|&turn| turn < 0.0);
     // A star turns one way at every corner too, but its edges change between left and right more than twice.
     let rightward = |index| edge(index)[0] > 0.0 || (edge(index)[0] == 0.0 && edge(index)[1] > 0.0);
-    let changes = (0..points.len())
-        .filter(|&index| rightward(index) != rightward(index + 1))
-        .count();
+    let changes = (0..points.len()).filter(|&index| rightward(index) != rightward(index + 1)).count();
     if one_way && changes == 2 {
         return Ok(());
     }
@@ -194,30 +170,16 @@ fn camera(camera: &Camera, interactors: &[Interactor]) -> Checked {
     looks_somewhere(camera.eye, camera.target, target)?;
     let keys = trail.clone().key("keys");
     increasing(camera.keys.iter().map(|key| key.time), &keys)?;
-    each(&camera.keys, &keys, |key, trail| {
-        looks_somewhere(key.eye, key.target, trail.clone().key("target"))
-    })?;
+    each(&camera.keys, &keys, |key, trail| looks_somewhere(key.eye, key.target, trail.clone().key("target")))?;
     let Some(follow) = &camera.follow else {
         return Ok(());
     };
-    let names: Vec<&str> = interactors
-        .iter()
-        .map(|body| body.name.as_str())
-        .filter(|name| !name.is_empty())
-        .collect();
+    let names: Vec<&str> = interactors.iter().map(|body| body.name.as_str()).filter(|name| !name.is_empty()).collect();
     if names.contains(&follow.as_str()) {
         return Ok(());
     }
-    let help = if names.is_empty() {
-        "give an interactor a `name`".to_owned()
-    } else {
-        suggest(follow, &names)
-    };
-    Err(Problem::at(
-        trail.key("follow"),
-        format!("no interactor is called `{follow}`"),
-    )
-    .help(help))
+    let help = if names.is_empty() { "give an interactor a `name`".to_owned() } else { suggest(follow, &names) };
+    Err(Problem::at(trail.key("follow"), format!("no interactor is called `{follow}`")).help(help))
 }
 
 fn looks_somewhere(eye: [f64; 3], target: [f64; 3], trail: Trail) -> Checked {

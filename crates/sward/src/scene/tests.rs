@@ -11,10 +11,7 @@ pub struct Source {
 
 impl Source {
     fn new(seed: u64) -> Self {
-        Self {
-            state: seed,
-            depth: 0,
-        }
+        Self { state: seed, depth: 0 }
     }
 
     fn next(&mut self) -> u64 {
@@ -73,17 +70,8 @@ proptest! {
 
 #[test]
 fn arbitrary_scenes_reach_every_choice() {
-    let texts: String = (0..400)
-        .map(|seed| Scene::arbitrary(None, &mut Source::new(seed)).to_ron())
-        .collect();
-    let choices = [
-        Terrain::NAMES,
-        Species::NAMES,
-        WindSource::NAMES,
-        Shape::NAMES,
-        Path::NAMES,
-        Response::NAMES,
-    ];
+    let texts: String = (0..400).map(|seed| Scene::arbitrary(None, &mut Source::new(seed)).to_ron()).collect();
+    let choices = [Terrain::NAMES, Species::NAMES, WindSource::NAMES, Shape::NAMES, Path::NAMES, Response::NAMES];
     for name in choices.concat() {
         // Flat and Meadow may be left out as defaults, but not with other values inside.
         assert!(texts.contains(name), "{name}");
@@ -93,30 +81,15 @@ fn arbitrary_scenes_reach_every_choice() {
 
 #[test]
 fn defaults_are_in_range() {
-    let scene = Scene {
-        stands: vec![Stand::default()],
-        interactors: vec![Interactor::default()],
-        ..Scene::default()
-    };
+    let scene = Scene { stands: vec![Stand::default()], interactors: vec![Interactor::default()], ..Scene::default() };
     assert_eq!(scene.validate(), Ok(()));
     assert!(scene.to_ron().lines().count() < 20, "{}", scene.to_ron());
 }
 
 #[test]
 fn a_problem_in_a_scene_built_in_code_names_the_path() {
-    let stand = Stand {
-        cells: 100,
-        ..Stand::default()
-    };
-    let error = Scene {
-        stands: vec![Stand::default(), stand],
-        ..Scene::default()
-    }
-    .validate()
-    .unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "stands[1].cells: `cells` is 100, allowed are multiples of 8\n  help: 96 or 104"
-    );
+    let stand = Stand { cells: 100, ..Stand::default() };
+    let error = Scene { stands: vec![Stand::default(), stand], ..Scene::default() }.validate().unwrap_err();
+    assert_eq!(error.to_string(), "stands[1].cells: `cells` is 100, allowed are multiples of 8\n  help: 96 or 104");
     assert_eq!((error.line, error.span()), (0, 0..0));
 }

@@ -57,11 +57,7 @@ pub trait Value: Serialize + for<'de> Deserialize<'de> {
 }
 
 /// Checks one field of a group: its own numbers, then the groups inside.
-pub(super) fn check_field<T: Value>(
-    value: &T,
-    info: &FieldInfo,
-    trail: &Trail,
-) -> Result<(), Problem> {
+pub(super) fn check_field<T: Value>(value: &T, info: &FieldInfo, trail: &Trail) -> Result<(), Problem> {
     let trail = trail.clone().key(info.name);
     if let Some(number) = value.outside(info.range) {
         return Err(Problem::at(trail, out_of_range(info, &number)));
@@ -89,10 +85,7 @@ pub(super) struct Checked<'a, T> {
 
 impl<'a, T> Checked<'a, T> {
     pub(super) fn new(info: &'a FieldInfo) -> Self {
-        Self {
-            info,
-            kind: PhantomData,
-        }
+        Self { info, kind: PhantomData }
     }
 }
 
@@ -175,15 +168,7 @@ impl Value for String {
     }
     #[cfg(test)]
     fn arbitrary(_: Option<(f64, f64)>, source: &mut super::tests::Source) -> Self {
-        let words = [
-            "",
-            "Weide",
-            "a \"b\"\n",
-            "\\#'\u{1f33e}",
-            "// ) ]",
-            "x: (",
-            "\0",
-        ];
+        let words = ["", "Weide", "a \"b\"\n", "\\#'\u{1f33e}", "// ) ]", "x: (", "\0"];
         words[source.below(words.len() as u64) as usize].to_owned()
     }
 }

@@ -48,19 +48,6 @@ pub enum TerrainError {
     },
 }
 
-pub(super) fn check(
-    key: &'static str,
-    found: impl std::fmt::Display,
-    allowed: &'static str,
-    good: bool,
-) -> Result<(), TerrainError> {
-    if good {
-        Ok(())
-    } else {
-        Err(TerrainError::Value {
-            key,
-            found: found.to_string(),
-            allowed,
-        })
-    }
+pub(super) fn check(key: &'static str, found: impl std::fmt::Display, allowed: &'static str, good: bool) -> Result<(), TerrainError> {
+    if good { Ok(()) } else { Err(TerrainError::Value { key, found: found.to_string(), allowed }) }
 }

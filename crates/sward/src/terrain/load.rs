@@ -22,64 +22,30 @@ impl Terrain {
     /// axes are multiplied by `scale` (1e-4..=1e4); the middle of the grid comes to lie at `offset` (x, z) \[m\].
     ///
     /// Errors name the key, or say what the picture is.
-    pub fn from_image(
-        png_bytes: &[u8],
-        sidecar_toml: &str,
-        scale: f64,
-        offset: [f64; 2],
-    ) -> Result<Self, TerrainError> {
-        check(
-            "scale",
-            scale,
-            "0.0001 to 10000",
-            (1e-4..=1e4).contains(&scale),
-        )?;
+    pub fn from_image(png_bytes: &[u8], sidecar_toml: &str, scale: f64, offset: [f64; 2]) -> Result<Self, TerrainError> {
+        check("scale", scale, "0.0001 to 10000", (1e-4..=1e4).contains(&scale))?;
         let sidecar = Sidecar::parse(sidecar_toml)?;
         let grey = decode(png_bytes, sidecar.columns, sidecar.rows)?;
         let metres = (sidecar.highest - sidecar.lowest) / 65535.0;
         let height = |value: &u16| ((sidecar.lowest + f64::from(*value) * metres) * scale) as f32;
         let spacing = sidecar.spacing.map(|metres| metres * scale);
-        let half = [
-            f64::from(sidecar.columns - 1) * 0.5,
-            f64::from(sidecar.rows - 1) * 0.5,
-        ];
-        let corner = [
-            offset[0] - half[0] * spacing[0],
-            offset[1] - half[1] * spacing[1],
-        ];
-        Self::new(
-            grey.iter().map(height).collect(),
-            sidecar.columns,
-            sidecar.rows,
-            spacing,
-            corner,
-        )
+        let half = [f64::from(sidecar.columns - 1) * 0.5, f64::from(sidecar.rows - 1) * 0.5];
+        let corner = [offset[0] - half[0] * spacing[0], offset[1] - half[1] * spacing[1]];
+        Self::new(grey.iter().map(height).collect(), sidecar.columns, sidecar.rows, spacing, corner)
     }
 }
 
 impl Sidecar {
     fn parse(text: &str) -> Result<Self, TerrainError> {
-        let table: toml::Table = text
-            .parse()
-            .map_err(|e: toml::de::Error| TerrainError::Sidecar(e.to_string()))?;
+        let table: toml::Table = text.parse().map_err(|e: toml::de::Error| TerrainError::Sidecar(e.to_string()))?;
         let metres = |key, example| {
             let value = number(&table, key, example)?;
-            check(
-                key,
-                value,
-                "0.001 to 1000000 m",
-                (1e-3..=1e6).contains(&value),
-            )?;
+            check(key, value, "0.001 to 1000000 m", (1e-3..=1e6).contains(&value))?;
             Ok(value)
         };
         let height = |key, example| {
             let value = number(&table, key, example)?;
-            check(
-                key,
-                value,
-                "-1000000 to 1000000 m",
-                (-1e6..=1e6).contains(&value),
-            )?;
+            check(key, value, "-1000000 to 1000000 m", (-1e6..=1e6).contains(&value))?;
             Ok(value)
         };
         let sidecar = Self {
@@ -93,46 +59,21 @@ impl Sidecar {
             highest: height("max_height_m", "max_height_m = 1076")?,
         };
         let most = u64::from(sidecar.columns) * u64::from(sidecar.rows);
-        check(
-            "rows",
-            sidecar.rows,
-            "so many that there are at most 33554432 samples",
-            most <= MAX_SAMPLES.into(),
-        )?;
-        check(
-            "max_height_m",
-            sidecar.highest,
-            "at least `min_height_m`",
-            sidecar.highest >= sidecar.lowest,
-        )?;
+        check("rows", sidecar.rows, "so many that there are at most 33554432 samples", most <= MAX_SAMPLES.into())?;
+        check("max_height_m", sidecar.highest, "at least `min_height_m`", sidecar.highest >= sidecar.lowest)?;
         Ok(sidecar)
     }
 }
 
-fn number(
-    table: &toml::Table,
-    key: &'static str,
-    example: &'static str,
-) -> Result<f64, TerrainError> {
-    match table
-        .get(key)
-        .ok_or(TerrainError::MissingKey { key, example })?
-    {
+fn number(table: &toml::Table, key: &'static str, example: &'static str) -> Result<f64, TerrainError> {
+    match table.get(key).ok_or(TerrainError::MissingKey { key, example })? {
         toml::Value::Integer(whole) => Ok(*whole as f64),
         toml::Value::Float(number) => Ok(*number),
-        other => Err(TerrainError::Value {
-            key,
-            found: other.to_string(),
-            allowed: "a number",
-        }),
+        other => Err(TerrainError::Value { key, found: other.to_string(), allowed: "a number" }),
     }
 }
 
-fn side(
-    table: &toml::Table,
-    key: &'static str,
-    example: &'static str,
-) -> Result<u32, TerrainError> {
+fn side(table: &toml::Table, key: &'static str, example: &'static str) -> Result<u32, TerrainError> {
     let value = number(table, key, example)?;
     let good = (1.0..=f64::from(MAX_SIDE)).contains(&value) && value == value.floor();
     check(key, value, "a whole number from 1 to 16384", good)?;
@@ -148,17 +89,11 @@ fn decode(png_bytes: &[u8], columns: u32, rows: u32) -> Result<Vec<u16>, Terrain
     let (width, height) = decoder.dimensions();
     for (what, found, expected) in [("columns", width, columns), ("rows", height, rows)] {
         if found != expected {
-            return Err(TerrainError::Size {
-                what,
-                found: found.into(),
-                expected: expected.into(),
-            });
+            return Err(TerrainError::Size { what, found: found.into(), expected: expected.into() });
         }
     }
     match DynamicImage::from_decoder(decoder).map_err(unreadable)? {
         DynamicImage::ImageLuma16(grey) => Ok(grey.into_raw()),
-        other => Err(TerrainError::Colour {
-            found: format!("{:?}", other.color()),
-        }),
+        other => Err(TerrainError::Colour { found: format!("{:?}", other.color()) }),
     }
 }

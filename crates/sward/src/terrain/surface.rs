@@ -8,11 +8,7 @@ pub(super) fn period(samples: i32) -> i32 {
 /// The sample that stands at `index` of a row mirrored about its first and last one.
 pub(super) fn mirrored(index: i32, samples: i32) -> i32 {
     let within = index.rem_euclid(period(samples));
-    if within < samples {
-        within
-    } else {
-        period(samples) - within
-    }
+    if within < samples { within } else { period(samples) - within }
 }
 
 /// The Catmull-Rom surface over the middle of 4 × 4 samples, in one precision.
@@ -21,21 +17,11 @@ pub(super) fn mirrored(index: i32, samples: i32) -> i32 {
 macro_rules! catmull_rom {
     ($surface:ident, $weights:ident, $slopes:ident, $float:ty) => {
         fn $weights(t: $float) -> [$float; 4] {
-            [
-                ((-0.5 * t + 1.0) * t - 0.5) * t,
-                (1.5 * t - 2.5) * t * t + 1.0,
-                ((-1.5 * t + 2.0) * t + 0.5) * t,
-                (0.5 * t - 0.5) * t * t,
-            ]
+            [((-0.5 * t + 1.0) * t - 0.5) * t, (1.5 * t - 2.5) * t * t + 1.0, ((-1.5 * t + 2.0) * t + 0.5) * t, (0.5 * t - 0.5) * t * t]
         }
 
         fn $slopes(t: $float) -> [$float; 4] {
-            [
-                (-1.5 * t + 2.0) * t - 0.5,
-                (4.5 * t - 5.0) * t,
-                (-4.5 * t + 4.0) * t + 0.5,
-                (1.5 * t - 1.0) * t,
-            ]
+            [(-1.5 * t + 2.0) * t - 0.5, (4.5 * t - 5.0) * t, (-4.5 * t + 4.0) * t + 0.5, (1.5 * t - 1.0) * t]
         }
 
         pub(super) fn $surface(samples: &[[f32; 4]; 4], t: [$float; 2]) -> ($float, [$float; 2]) {

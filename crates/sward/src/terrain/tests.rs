@@ -5,9 +5,7 @@ use std::io::Cursor;
 
 /// Rough ground: independent samples up to 40 m.
 fn rough() -> Terrain {
-    let heights = (0..7 * 5)
-        .map(|i| 40.0 * unit(hash(1, 0, 0, i, 9)))
-        .collect();
+    let heights = (0..7 * 5).map(|i| 40.0 * unit(hash(1, 0, 0, i, 9))).collect();
     Terrain::new(heights, 7, 5, [3.0, 2.0], [-4.0, 10.0]).unwrap()
 }
 
@@ -21,12 +19,7 @@ fn jacksboro(scale: f64, offset: [f64; 2]) -> Terrain {
 /// Points spread over a square around a middle, without pattern.
 fn points(middle: [f64; 2], reach: f64) -> impl Iterator<Item = [f64; 2]> {
     let along = |i, purpose| f64::from(unit(hash(2, 0, 0, i, purpose))) * 2.0 - 1.0;
-    (0..2000).map(move |i| {
-        [
-            middle[0] + reach * along(i, 1),
-            middle[1] + reach * along(i, 2),
-        ]
-    })
+    (0..2000).map(move |i| [middle[0] + reach * along(i, 1), middle[1] + reach * along(i, 2)])
 }
 
 #[test]
@@ -53,27 +46,18 @@ fn height_and_slope_are_continuous_across_sample_and_mirror_lines() {
         for t in 0..40 {
             let along = f64::from(t) * 0.73 - 10.0;
             let (x, z) = (f64::from(line) * 3.0 - 4.0, f64::from(line) * 2.0 + 10.0);
-            for (a, b) in [
-                ([x - 1e-7, along], [x + 1e-7, along]),
-                ([along, z - 1e-7], [along, z + 1e-7]),
-            ] {
+            for (a, b) in [([x - 1e-7, along], [x + 1e-7, along]), ([along, z - 1e-7], [along, z + 1e-7])] {
                 let (low, low_slope) = terrain.height_and_gradient_at(a[0], a[1]);
                 let (high, high_slope) = terrain.height_and_gradient_at(b[0], b[1]);
                 assert!((low - high).abs() < 1e-4, "height jumps at {a:?}");
                 for axis in 0..2 {
-                    assert!(
-                        (low_slope[axis] - high_slope[axis]).abs() < 1e-4,
-                        "slope jumps at {a:?}"
-                    );
+                    assert!((low_slope[axis] - high_slope[axis]).abs() < 1e-4, "slope jumps at {a:?}");
                     steepest = steepest.max(low_slope[axis].abs());
                 }
             }
         }
     }
-    assert!(
-        steepest > 5.0,
-        "the ground is too smooth to prove anything: {steepest}"
-    );
+    assert!(steepest > 5.0, "the ground is too smooth to prove anything: {steepest}");
 }
 
 #[test]
@@ -95,20 +79,12 @@ fn slope_is_the_difference_of_heights() {
     let terrain = rough();
     for [x, z] in points([5.0, 14.0], 40.0) {
         let step = 1e-4;
-        let along_x =
-            (terrain.height_at(x + step, z) - terrain.height_at(x - step, z)) / (2.0 * step);
-        let along_z =
-            (terrain.height_at(x, z + step) - terrain.height_at(x, z - step)) / (2.0 * step);
+        let along_x = (terrain.height_at(x + step, z) - terrain.height_at(x - step, z)) / (2.0 * step);
+        let along_z = (terrain.height_at(x, z + step) - terrain.height_at(x, z - step)) / (2.0 * step);
         let slope = terrain.height_and_gradient_at(x, z).1;
-        assert!(
-            (slope[0] - along_x).abs() < 2e-3 && (slope[1] - along_z).abs() < 2e-3,
-            "at {x}, {z}"
-        );
+        assert!((slope[0] - along_x).abs() < 2e-3 && (slope[1] - along_z).abs() < 2e-3, "at {x}, {z}");
         let ours = terrain.gradient(terrain.anchor([x, z]), [0.0; 2]);
-        assert!(
-            (f64::from(ours[0]) - slope[0]).abs() < 1e-4
-                && (f64::from(ours[1]) - slope[1]).abs() < 1e-4
-        );
+        assert!((f64::from(ours[0]) - slope[0]).abs() < 1e-4 && (f64::from(ours[1]) - slope[1]).abs() < 1e-4);
     }
 }
 
@@ -117,10 +93,7 @@ fn kernel_error(terrain: &Terrain, middle: [f64; 2]) -> f64 {
     let mut worst: f64 = 0.0;
     for (ground, away) in points(middle, 1000.0).zip(points([0.0; 2], 64.0)) {
         let local = away.map(|metres| metres as f32);
-        let exact = terrain.height_at(
-            ground[0] + f64::from(local[0]),
-            ground[1] + f64::from(local[1]),
-        );
+        let exact = terrain.height_at(ground[0] + f64::from(local[0]), ground[1] + f64::from(local[1]));
         worst = worst.max((f64::from(terrain.height(terrain.anchor(ground), local)) - exact).abs());
     }
     worst
@@ -138,13 +111,8 @@ fn kernels_are_exact_far_from_home() {
     println!("{worst:?} m");
     assert!(worst.iter().all(|metres| *metres < 1e-4), "{worst:?}");
     let terrain = jacksboro(1.0, far);
-    let absolute = |[x, z]: [f64; 2]| {
-        terrain.height_at((x as f32).into(), (z as f32).into()) - terrain.height_at(x, z)
-    };
-    assert!(
-        points(far, 1000.0).any(|p| absolute(p).abs() > 1e-4),
-        "absolute f32 positions must be too coarse"
-    );
+    let absolute = |[x, z]: [f64; 2]| terrain.height_at((x as f32).into(), (z as f32).into()) - terrain.height_at(x, z);
+    assert!(points(far, 1000.0).any(|p| absolute(p).abs() > 1e-4), "absolute f32 positions must be too coarse");
 }
 
 #[test]
@@ -164,10 +132,7 @@ fn flat_ground_is_exactly_flat() {
     let terrain = Terrain::flat(12.3);
     for place in [[0.0, 0.0], [1e9, -3.7], [f64::NAN, f64::INFINITY]] {
         for local in [[0.0, 0.0], [5.5, -7e3], [f32::NAN, f32::INFINITY]] {
-            assert_eq!(
-                terrain.height_and_gradient(terrain.anchor(place), local),
-                (12.3, [0.0; 2])
-            );
+            assert_eq!(terrain.height_and_gradient(terrain.anchor(place), local), (12.3, [0.0; 2]));
         }
     }
     assert_eq!(Terrain::flat(f32::NAN), Terrain::default());
@@ -184,8 +149,7 @@ fn png(image: DynamicImage) -> Vec<u8> {
 }
 
 fn small() -> Vec<u8> {
-    let ramp =
-        image::ImageBuffer::from_fn(5, 4, |x, y| image::Luma([(x * 13_000 + y * 700) as u16]));
+    let ramp = image::ImageBuffer::from_fn(5, 4, |x, y| image::Luma([(x * 13_000 + y * 700) as u16]));
     png(DynamicImage::ImageLuma16(ramp))
 }
 
@@ -196,47 +160,23 @@ fn load(bytes: &[u8], sidecar: &str) -> Result<Terrain, TerrainError> {
 #[test]
 fn errors_name_the_key_or_what_was_found() {
     let terrain = load(&small(), SIDECAR).unwrap();
-    assert_eq!(
-        terrain.heights()[6],
-        (-10.0 + 13_700.0 / 65535.0 * 30.0) as f32
-    );
+    assert_eq!(terrain.heights()[6], (-10.0 + 13_700.0 / 65535.0 * 30.0) as f32);
     let message = |bytes: &[u8], sidecar: &str| load(bytes, sidecar).unwrap_err().to_string();
-    for key in [
-        "columns",
-        "rows",
-        "metres_per_pixel_x",
-        "metres_per_pixel_y",
-        "min_height_m",
-        "max_height_m",
-    ] {
-        let others = |text: &str| {
-            text.lines()
-                .filter(|l| !l.starts_with(key))
-                .fold(String::new(), |a, l| a + l + "\n")
-        };
+    for key in ["columns", "rows", "metres_per_pixel_x", "metres_per_pixel_y", "min_height_m", "max_height_m"] {
+        let others = |text: &str| text.lines().filter(|l| !l.starts_with(key)).fold(String::new(), |a, l| a + l + "\n");
         assert!(message(&small(), &others(SIDECAR)).contains(&format!("lacks `{key}`")));
         for value in ["'wide'", "nan", "-1e9", "true", "1e300"] {
             let wrong = others(SIDECAR) + key + " = " + value;
-            assert!(
-                message(&small(), &wrong).contains(&format!("`{key}` is")),
-                "{wrong}"
-            );
+            assert!(message(&small(), &wrong).contains(&format!("`{key}` is")), "{wrong}");
         }
     }
-    assert!(
-        message(&small(), &SIDECAR.replace("columns = 5", "columns = 6"))
-            .contains("5 columns, but 6")
-    );
+    assert!(message(&small(), &SIDECAR.replace("columns = 5", "columns = 6")).contains("5 columns, but 6"));
     assert!(message(&small(), &SIDECAR.replace("-10", "21")).contains("at least `min_height_m`"));
     assert!(message(&small(), "columns = = 3").contains("not valid TOML"));
     assert!(message(&png(DynamicImage::new_rgb8(5, 4)), SIDECAR).contains("is Rgb8"));
     assert!(message(&png(DynamicImage::new_luma8(5, 4)), SIDECAR).contains("is L8"));
     assert!(message(b"not a picture", SIDECAR).contains("not a readable PNG"));
-    for (scale, offset) in [
-        (0.0, [0.0; 2]),
-        (f64::NAN, [0.0; 2]),
-        (1.0, [f64::INFINITY, 0.0]),
-    ] {
+    for (scale, offset) in [(0.0, [0.0; 2]), (f64::NAN, [0.0; 2]), (1.0, [f64::INFINITY, 0.0])] {
         assert!(Terrain::from_image(&small(), SIDECAR, scale, offset).is_err());
     }
     assert!(Terrain::new(vec![0.0; 5], 2, 3, [1.0; 2], [0.0; 2]).is_err());
@@ -255,11 +195,7 @@ fn damaged_pictures_are_errors_not_panics() {
             let _ = load(&damaged, SIDECAR);
         }
     }
-    assert!(
-        refused > whole.len() / 2,
-        "{refused} of {} truncations refused",
-        whole.len()
-    );
+    assert!(refused > whole.len() / 2, "{refused} of {} truncations refused", whole.len());
 }
 
 #[test]

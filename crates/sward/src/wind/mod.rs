@@ -76,35 +76,20 @@ impl WindField {
         for (index, source) in sources.iter().enumerate() {
             let (velocity, turbulence) = match *source {
                 Source::Uniform { velocity } => (velocity, 0.0),
-                Source::Natural {
-                    velocity,
-                    turbulence,
-                } => (velocity, turbulence),
+                Source::Natural { velocity, turbulence } => (velocity, turbulence),
             };
             if !(velocity[0].is_finite() && velocity[1].is_finite() && turbulence.is_finite()) {
                 continue;
             }
             mean = [mean[0] + velocity[0], mean[1] + velocity[1]];
-            octaves.extend(noise::gusts(
-                velocity,
-                turbulence,
-                index as u32,
-                step,
-                dt,
-                node_spacing,
-            ));
+            octaves.extend(noise::gusts(velocity, turbulence, index as u32, step, dt, node_spacing));
         }
         let dropped = octaves.len().saturating_sub(MAX_OCTAVES);
         if dropped > 0 {
             octaves.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
             octaves.truncate(MAX_OCTAVES);
         }
-        Self {
-            mean,
-            octaves,
-            dropped,
-            tile: Tile::shipped(),
-        }
+        Self { mean, octaves, dropped, tile: Tile::shipped() }
     }
 
     /// The phases at node (0, 0) of a patch with `intervals` node intervals along a side.
@@ -128,13 +113,7 @@ impl WindField {
 
     /// [`WindField::velocity`] of a row of nodes going along +x from `first`, the same bits; planar, as many as both
     /// outputs hold.
-    pub fn velocity_row(
-        &self,
-        phases: &Phases,
-        first: [i32; 2],
-        along_x: &mut [f32],
-        along_z: &mut [f32],
-    ) {
+    pub fn velocity_row(&self, phases: &Phases, first: [i32; 2], along_x: &mut [f32], along_z: &mut [f32]) {
         for (i, (x, z)) in along_x.iter_mut().zip(along_z).enumerate() {
             [*x, *z] = self.velocity(phases, [first[0].wrapping_add(i as i32), first[1]]);
         }
@@ -153,11 +132,7 @@ impl WindField {
     /// A speed \[m/s\] seldom exceeded: the mean and two standard deviations of the gusts. Grass that this wind does not
     /// stir may sleep.
     pub fn gust_speed(&self) -> f32 {
-        let squares: f32 = self
-            .octaves
-            .iter()
-            .map(|octave| octave.amplitude * octave.amplitude)
-            .sum();
+        let squares: f32 = self.octaves.iter().map(|octave| octave.amplitude * octave.amplitude).sum();
         let mean = (self.mean[0] * self.mean[0] + self.mean[1] * self.mean[1]).sqrt();
         mean + 2.0 * TILE_DEVIATION * squares.sqrt()
     }
@@ -167,12 +142,7 @@ impl WindField {
         let mut octaves = [Octave::default(); MAX_OCTAVES];
         let count = self.octaves.len().min(MAX_OCTAVES);
         octaves[..count].copy_from_slice(&self.octaves[..count]);
-        WindBlock {
-            mean: self.mean,
-            count: count as u32,
-            intervals,
-            octaves,
-        }
+        WindBlock { mean: self.mean, count: count as u32, intervals, octaves }
     }
 }
 

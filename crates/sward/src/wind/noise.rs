@@ -12,11 +12,7 @@ use crate::math::{floored, hash};
 const SHIPPED_GUSTS: f64 = 4.0 * 0.25;
 const SHIPPED_SPEED: f64 = 4.0;
 /// For 4 m/s along +x: amplitude k \[m/s\], travel velocity w along and across the wind \[m/s\], size c \[tiles/m\].
-const SHIPPED: [(f64, [f64; 2], f64); 3] = [
-    (3.8, [4.0, 0.0], 0.02),
-    (2.3, [2.0, 1.5], 0.05),
-    (1.4, [1.0, -2.0], 0.13),
-];
+const SHIPPED: [(f64, [f64; 2], f64); 3] = [(3.8, [4.0, 0.0], 0.02), (2.3, [2.0, 1.5], 0.05), (1.4, [1.0, -2.0], 0.13)];
 /// What hashes decide where an octave starts in the tile.
 const START: [u32; 2] = [0x57a7_0000, 0x57a7_0001];
 
@@ -52,47 +48,20 @@ pub(super) fn gusts(
     let velocity = velocity.map(f64::from);
     let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
     let turbulence = f64::from(turbulence);
-    let count = if speed > 1e-6 && turbulence > 0.0 {
-        SHIPPED.len()
-    } else {
-        0
-    };
+    let count = if speed > 1e-6 && turbulence > 0.0 { SHIPPED.len() } else { 0 };
     let turned = move |[along, across]: [f64; 2]| {
-        [
-            (along * velocity[0] - across * velocity[1]) / SHIPPED_SPEED,
-            (along * velocity[1] + across * velocity[0]) / SHIPPED_SPEED,
-        ]
+        [(along * velocity[0] - across * velocity[1]) / SHIPPED_SPEED, (along * velocity[1] + across * velocity[0]) / SHIPPED_SPEED]
     };
-    SHIPPED
-        .into_iter()
-        .take(count)
-        .zip(0..)
-        .map(move |((k, travel, size), index)| {
-            let amplitude = (k * speed * turbulence / SHIPPED_GUSTS) as f32;
-            let start = START.map(|purpose| hash(source, 0, 0, index, purpose));
-            Octave::new(
-                amplitude,
-                turned(travel),
-                size,
-                start,
-                step,
-                dt,
-                node_spacing,
-            )
-        })
+    SHIPPED.into_iter().take(count).zip(0..).map(move |((k, travel, size), index)| {
+        let amplitude = (k * speed * turbulence / SHIPPED_GUSTS) as f32;
+        let start = START.map(|purpose| hash(source, 0, 0, index, purpose));
+        Octave::new(amplitude, turned(travel), size, start, step, dt, node_spacing)
+    })
 }
 
 impl Octave {
     /// An octave of `size` tiles per metre that travels with velocity `travel` (not zero) \[m/s\] from the phase `start`.
-    fn new(
-        amplitude: f32,
-        travel: [f64; 2],
-        size: f64,
-        start: [u32; 2],
-        step: u64,
-        dt: f64,
-        node_spacing: f64,
-    ) -> Self {
+    fn new(amplitude: f32, travel: [f64; 2], size: f64, start: [u32; 2], step: u64, dt: f64, node_spacing: f64) -> Self {
         let speed = (travel[0] * travel[0] + travel[1] * travel[1]).sqrt();
         let heading = [travel[0] / speed, travel[1] / speed];
         // The columns of c R.
@@ -144,10 +113,7 @@ impl Octave {
     #[inline(always)]
     pub(super) fn add(&self, tile: &Tile, phase: [u32; 2], sum: &mut [f32; 2]) {
         let gust = tile.sample(phase);
-        *sum = [
-            sum[0] + self.amplitude * gust[0],
-            sum[1] + self.amplitude * gust[1],
-        ];
+        *sum = [sum[0] + self.amplitude * gust[0], sum[1] + self.amplitude * gust[1]];
     }
 }
 
@@ -183,29 +149,17 @@ mod tests {
 
     #[test]
     fn gusts_travel_with_their_own_velocity() {
-        let cases = [
-            ([4.0, 0.0], [[4.0, 0.0], [2.0, 1.5], [1.0, -2.0]]),
-            ([0.0, 8.0], [[0.0, 8.0], [-3.0, 4.0], [4.0, 2.0]]),
-        ];
+        let cases = [([4.0, 0.0], [[4.0, 0.0], [2.0, 1.5], [1.0, -2.0]]), ([0.0, 8.0], [[0.0, 8.0], [-3.0, 4.0], [4.0, 2.0]])];
         for (velocity, travels) in cases {
-            let wind = [Source::Natural {
-                velocity,
-                turbulence: 0.2,
-            }];
-            let (then, now) = (
-                WindField::at(&wind, 1_000_000, 1.0 / 60.0, 0.5),
-                WindField::at(&wind, 1_000_030, 1.0 / 60.0, 0.5),
-            );
+            let wind = [Source::Natural { velocity, turbulence: 0.2 }];
+            let (then, now) = (WindField::at(&wind, 1_000_000, 1.0 / 60.0, 0.5), WindField::at(&wind, 1_000_030, 1.0 / 60.0, 0.5));
             for (index, travel) in travels.into_iter().enumerate() {
                 let octaves = [&then.octaves[index], &now.octaves[index]];
                 // Half a second later; the best of a grid of shifts around the expected one.
                 let mut best = (f32::MIN, [0, 0]);
                 for dx in -4..=4 {
                     for dz in -4..=4 {
-                        let shift = [
-                            travel[0] * 0.5 + dx as f32 * 0.2,
-                            travel[1] * 0.5 + dz as f32 * 0.2,
-                        ];
+                        let shift = [travel[0] * 0.5 + dx as f32 * 0.2, travel[1] * 0.5 + dz as f32 * 0.2];
                         let score = agreement(octaves, shift);
                         if score > best.0 {
                             best = (score, [dx, dz]);
@@ -214,10 +168,7 @@ mod tests {
                 }
                 assert_eq!(best.1, [0, 0], "octave {index} of wind {velocity:?}");
                 let upwind = agreement(octaves, [-travel[0] * 0.5, -travel[1] * 0.5]);
-                assert!(
-                    upwind < 0.9 * best.0,
-                    "octave {index} of {velocity:?} does not move"
-                );
+                assert!(upwind < 0.9 * best.0, "octave {index} of {velocity:?} does not move");
             }
         }
     }

@@ -40,12 +40,7 @@ impl Tile {
         let [s, t] = phase.map(|p| ((p >> 2) & 0x00ff_ffff) as i32 as f32 * (1.0 / 16777216.0));
         let (next_u, next_v) = ((u + 1) % TILE_SIDE, (v + 1) % TILE_SIDE);
         let texel = |column, row| self.texels[row * TILE_SIDE + column];
-        let [a, b, c, d] = [
-            texel(u, v),
-            texel(next_u, v),
-            texel(u, next_v),
-            texel(next_u, next_v),
-        ];
+        let [a, b, c, d] = [texel(u, v), texel(next_u, v), texel(u, next_v), texel(next_u, next_v)];
         let mut noise = [0.0; 2];
         for channel in 0..2 {
             let near = a[channel] + (b[channel] - a[channel]) * s;
@@ -61,18 +56,11 @@ impl Tile {
             let mut values = raw(seed, purpose);
             let (mean, deviation) = statistics(&values);
             for value in &mut values {
-                *value =
-                    ((f64::from(*value) - mean) * f64::from(TILE_DEVIATION) / deviation) as f32;
+                *value = ((f64::from(*value) - mean) * f64::from(TILE_DEVIATION) / deviation) as f32;
             }
             values
         });
-        Self {
-            texels: channels[0]
-                .iter()
-                .zip(&channels[1])
-                .map(|(a, b)| [*a, *b])
-                .collect(),
-        }
+        Self { texels: channels[0].iter().zip(&channels[1]).map(|(a, b)| [*a, *b]).collect() }
     }
 }
 
@@ -85,8 +73,7 @@ pub(super) fn raw(seed: u32, purpose: u32) -> Vec<f32> {
         *gradient = [c, s];
     }
     let texel = |index: usize| {
-        let place = [index % TILE_SIDE, index / TILE_SIDE]
-            .map(|i| (i as f32 + 0.5) * (CELLS as f32 / TILE_SIDE as f32));
+        let place = [index % TILE_SIDE, index / TILE_SIDE].map(|i| (i as f32 + 0.5) * (CELLS as f32 / TILE_SIDE as f32));
         lattice_noise(&gradients, place)
     };
     (0..TILE_SIDE * TILE_SIDE).map(texel).collect()
@@ -136,10 +123,7 @@ mod tests {
     fn gradient_noise_deviates_by_what_the_tile_promises() {
         let raw_deviation: f64 = (0..40).map(|seed| statistics(&raw(seed, 7)).1 / 40.0).sum();
         println!("deviation of unadjusted noise: {raw_deviation:.4}");
-        assert!(
-            (raw_deviation - f64::from(TILE_DEVIATION)).abs() < 0.005,
-            "{raw_deviation}"
-        );
+        assert!((raw_deviation - f64::from(TILE_DEVIATION)).abs() < 0.005, "{raw_deviation}");
         let tile = Tile::shipped();
         assert_eq!(tile.texels().len(), TILE_SIDE * TILE_SIDE);
         let [a, b] = [0, 1].map(|which| channel(tile.texels(), which));
@@ -147,14 +131,10 @@ mod tests {
             let (mean, deviation) = statistics(values);
             assert!(mean.abs() < 1e-7 && (deviation - f64::from(TILE_DEVIATION)).abs() < 1e-7);
         }
-        let product: f64 =
-            a.iter().zip(&b).map(|(a, b)| f64::from(a * b)).sum::<f64>() / a.len() as f64;
+        let product: f64 = a.iter().zip(&b).map(|(a, b)| f64::from(a * b)).sum::<f64>() / a.len() as f64;
         let correlation = product / f64::from(TILE_DEVIATION * TILE_DEVIATION);
         println!("correlation of the channels: {correlation:.3}");
-        assert!(
-            correlation.abs() < 0.1,
-            "the channels are not independent: {correlation}"
-        );
+        assert!(correlation.abs() < 0.1, "the channels are not independent: {correlation}");
     }
 
     #[test]
@@ -167,14 +147,8 @@ mod tests {
         for texel in 0..64u32 {
             for i in 0..50 {
                 let (line, along) = (texel << 26, hash(4, 0, 0, i, texel));
-                assert!(
-                    jump([line, along], [line.wrapping_sub(4), along]) < 1e-6,
-                    "u jumps at {line}"
-                );
-                assert!(
-                    jump([along, line], [along, line.wrapping_sub(4)]) < 1e-6,
-                    "v jumps at {line}"
-                );
+                assert!(jump([line, along], [line.wrapping_sub(4), along]) < 1e-6, "u jumps at {line}");
+                assert!(jump([along, line], [along, line.wrapping_sub(4)]) < 1e-6, "v jumps at {line}");
             }
         }
         assert_eq!(tile.sample([5 << 26, 63 << 26]), tile.texels()[63 * 64 + 5]);
@@ -184,16 +158,7 @@ mod tests {
 
     #[test]
     fn the_shipped_tile_has_the_same_bits_everywhere() {
-        let bits = Tile::shipped()
-            .texels()
-            .iter()
-            .flatten()
-            .map(|value| value.to_bits())
-            .collect::<Vec<_>>();
-        assert_eq!(
-            bits.into_iter()
-                .fold(0, |sum, value| hash(sum, 0, 0, value, 0)),
-            1293439458
-        );
+        let bits = Tile::shipped().texels().iter().flatten().map(|value| value.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits.into_iter().fold(0, |sum, value| hash(sum, 0, 0, value, 0)), 1293439458);
     }
 }

@@ -104,11 +104,7 @@ pub fn contact(co: &Coefficients, bend: [f32; 2], slope: [f32; 2], hits: impl It
         }
     }
     let ((delta, hit), deepest) = (strongest?, deepest?);
-    let mut held = if hit.speed < HOLDING {
-        Held { bend, rate: [0.0, 0.0] }
-    } else {
-        driven(co, bend, &hit, delta, slope)
-    };
+    let mut held = if hit.speed < HOLDING { Held { bend, rate: [0.0, 0.0] } } else { driven(co, bend, &hit, delta, slope) };
     held.bend = floored(co, held.bend, &deepest, slope);
     Some(held)
 }

@@ -45,7 +45,16 @@ impl LagCoefficients {
         };
         let ring = if kind == 1 { (longest / dt).round() as u32 + 1 } else { 1 };
         let (gamma_top, gamma_recover) = (species.gamma_top, species.gamma_recover);
-        Self { segments, kind, gain_top: gain(gamma_top), gain_recover: gain(gamma_recover), gamma_top, gamma_recover, ring, rate: (1.0 / dt) as f32 }
+        Self {
+            segments,
+            kind,
+            gain_top: gain(gamma_top),
+            gain_recover: gain(gamma_recover),
+            gamma_top,
+            gamma_recover,
+            ring,
+            rate: (1.0 / dt) as f32,
+        }
     }
 
     /// Delay of segment `i`, s: grows evenly to the top.
@@ -63,7 +72,8 @@ pub fn cascade(lag: &LagCoefficients, bend: [&[f32]; 2], upper: &mut [f32]) {
         let (below, here) = upper.split_at_mut(segment * 2 * area);
         let (here_x, rest) = here.split_at_mut(area);
         let here_z = &mut rest[..area];
-        let below = if segment == 0 { bend } else { [&below[(segment - 1) * 2 * area..][..area], &below[(segment * 2 - 1) * area..][..area]] };
+        let below =
+            if segment == 0 { bend } else { [&below[(segment - 1) * 2 * area..][..area], &below[(segment * 2 - 1) * area..][..area]] };
         for i in 0..area {
             let (bx, bz, x, z) = (below[0][i], below[1][i], here_x[i], here_z[i]);
             let recovering = bx * bx + bz * bz < x * x + z * z;

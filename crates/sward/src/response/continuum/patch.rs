@@ -22,7 +22,15 @@ pub struct PatchContacts<'a> {
 }
 
 /// Bends the cells under bodies. `now` and `old` are the patch's two time levels; held cells get 1 in `held`.
-pub fn touch_patch(co: &Coefficients, cells: usize, by: &PatchContacts, slopes: &Slopes, now: &mut [f32], old: &mut [f32], held: &mut [u8]) {
+pub fn touch_patch(
+    co: &Coefficients,
+    cells: usize,
+    by: &PatchContacts,
+    slopes: &Slopes,
+    now: &mut [f32],
+    old: &mut [f32],
+    held: &mut [u8],
+) {
     let area = cells * cells;
     let side = cells as i32;
     let clip = |low: i32, size: i32| (low.clamp(0, side), low.saturating_add(size).clamp(0, side));

@@ -61,8 +61,10 @@ pub fn propagate_row(co: &Coefficients, input: &RowInput, old: &mut [&mut [f32];
         let spread = speed * speed * co.spread;
         let next_x = present * bend_x - past * before_x + (spread * laplacian(bx, ubx, dbx, i) - co.restoring * (bend_x - ex[i]));
         let next_z = present * bend_z - past * before_z + (spread * laplacian(bz, ubz, dbz, i) - co.restoring * (bend_z - ez[i]));
-        let next_wx = rate_present * rate_x - rate_past * owx[i] + (co.rate_spread * laplacian(wx, uwx, dwx, i) - co.rate_restoring * rate_x);
-        let next_wz = rate_present * rate_z - rate_past * owz[i] + (co.rate_spread * laplacian(wz, uwz, dwz, i) - co.rate_restoring * rate_z);
+        let next_wx =
+            rate_present * rate_x - rate_past * owx[i] + (co.rate_spread * laplacian(wx, uwx, dwx, i) - co.rate_restoring * rate_x);
+        let next_wz =
+            rate_present * rate_z - rate_past * owz[i] + (co.rate_spread * laplacian(wz, uwz, dwz, i) - co.rate_restoring * rate_z);
         obx[i] = next_x;
         obz[i] = next_z;
         owx[i] = next_wx;

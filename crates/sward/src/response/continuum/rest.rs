@@ -43,7 +43,11 @@ impl Rest {
         let intervals = (cells / NODE_CELLS) as i32;
         let phases = wind.patch_phases(patch, intervals as u32);
         let nodes = -1..=intervals + 1;
-        let values = nodes.clone().flat_map(|z| nodes.clone().map(move |x| [x, z])).map(|node| equilibrium(wind.velocity(&phases, node), k_w)).collect();
+        let values = nodes
+            .clone()
+            .flat_map(|z| nodes.clone().map(move |x| [x, z]))
+            .map(|node| equilibrium(wind.velocity(&phases, node), k_w))
+            .collect();
         Self::Nodes { width: intervals as usize + 3, values }
     }
 

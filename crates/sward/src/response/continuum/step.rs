@@ -29,14 +29,19 @@ fn each<T: Send, R: Send>(tasks: Vec<T>, work: impl Fn(T) -> R + Sync + Send) ->
 }
 
 /// Pairs each task with the two time levels of its slot.
-fn with_levels<'a, 'b>(tasks: &'a mut [Task<'b>], cells: &'a mut Cells) -> Vec<(&'a mut Task<'b>, &'a mut [f32], &'a mut [f32], &'a mut Slopes)> {
+fn with_levels<'a, 'b>(
+    tasks: &'a mut [Task<'b>],
+    cells: &'a mut Cells,
+) -> Vec<(&'a mut Task<'b>, &'a mut [f32], &'a mut [f32], &'a mut Slopes)> {
     let mut order: Vec<&mut Task> = tasks.iter_mut().collect();
     order.sort_by_key(|task| task.plan.slot);
     let mut order = order.into_iter().peekable();
     let levels = cells.now.iter_mut().zip(&mut cells.old).zip(&mut cells.slopes).enumerate();
     let mut paired = Vec::new();
     for (slot, ((now, old), slopes)) in levels {
-        if order.peek().is_some_and(|task| task.plan.slot as usize == slot) && let Some(task) = order.next() {
+        if order.peek().is_some_and(|task| task.plan.slot as usize == slot)
+            && let Some(task) = order.next()
+        {
             paired.push((task, &mut now[..], &mut old[..], slopes));
         }
     }
@@ -95,8 +100,11 @@ pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cel
     let side = stand.cells as usize;
     reserve(cells, plan, side * side);
     let k_w = stand.species.continuum.wind;
-    let mut tasks: Vec<Task> =
-        each(plan.patches.iter().collect(), |patch| Task { plan: patch, rest: Rest::of(&plan.wind, patch.patch, stand.cells, k_w), held: Vec::new() });
+    let mut tasks: Vec<Task> = each(plan.patches.iter().collect(), |patch| Task {
+        plan: patch,
+        rest: Rest::of(&plan.wind, patch.patch, stand.cells, k_w),
+        held: Vec::new(),
+    });
     each(with_levels(&mut tasks, cells), |(task, now, old, slopes)| {
         if task.plan.woken {
             wake_patch(side, &task.rest, now, old);
