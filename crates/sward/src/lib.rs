@@ -1,1 +1,6 @@
 //! Vegetation that reacts.
+
+#![forbid(unsafe_code)]
+
+pub mod geometry;
+pub mod shading;

@@ -1,0 +1,4 @@
+//! How plants and bodies become triangles.
+
+pub mod mesh;
+pub mod truck;
