@@ -192,7 +192,7 @@ fn place_truck(ground: &Ground, mesh: usize) -> BodyDraw {
     let up = forward.cross(left).normalize();
     let rotation = Quat::from_mat3(&glam::Mat3::from_cols(up.cross(forward), up, forward));
     let position = here(at) - Vec3::Y * 0.03;
-    BodyDraw { mesh, transform: Mat4::from_rotation_translation(rotation, position), paint: [0.42, 0.045, 0.025], ground: position.y }
+    BodyDraw { mesh, transform: Mat4::from_rotation_translation(rotation, position), paint: [0.07, 0.20, 0.27], ground: position.y }
 }
 
 /// Bend (x, z) of a plant at `p`: the track of the wheels and what the floor pan has brushed.

@@ -65,8 +65,8 @@ fn habit(kind: Kind) -> Habit {
             droop: [0.0, 0.12], dryness: [0.0, 0.35], plume: 0.0,
         },
         Kind::Meadow => Habit {
-            blades: 62, heads: 7, half_width: [1.3, 2.5], height: [0.34, 0.86], roots: 0.34, lean: 0.30,
-            droop: [0.02, 0.34], dryness: [0.0, 0.55], plume: 0.10,
+            blades: 74, heads: 3, half_width: [1.1, 2.3], height: [0.34, 0.88], roots: 0.34, lean: 0.32,
+            droop: [0.02, 0.36], dryness: [0.0, 0.50], plume: 0.15,
         },
         Kind::Reed => Habit {
             blades: 24, heads: 3, half_width: [2.4, 4.6], height: [0.50, 0.94], roots: 0.30, lean: 0.30,
@@ -157,9 +157,9 @@ fn stem(habit: &Habit, dice: &mut Dice) -> Stroke {
         height: 0.80 + 0.15 * dice.unit(),
         lean: 0.5 * habit.lean * (side + dice.unit() - 0.5),
         droop: 0.03 + 0.05 * dice.unit(),
-        half_width: 0.85,
-        shade: 0.8 + 0.2 * dice.unit(),
-        dryness: 0.45 + 0.4 * dice.unit(),
+        half_width: 0.75,
+        shade: 0.65 + 0.2 * dice.unit(),
+        dryness: 0.30 + 0.35 * dice.unit(),
         facing: dice.unit(),
     }
 }
@@ -179,15 +179,14 @@ impl Clump {
 
     /// Small spikelets around the upper end of a stem.
     fn draw_plume(&mut self, stem: &Stroke, length: f32, kind: Kind, dice: &mut Dice) {
-        let spikelets = if kind == Kind::Reed { 90 } else { 34 };
-        let spread = if kind == Kind::Reed { 0.035 } else { 0.020 };
+        let (spikelets, spread, radius) = if kind == Kind::Reed { (90, 0.035, 1.5) } else { (44, 0.017, 0.75) };
         for _ in 0..spikelets {
             let along = dice.unit();
             let [x, y] = stem.point(1.0 - along * length / stem.height.max(0.1));
             let width = spread * (1.0 - (2.0 * along - 0.9).abs()).max(0.15);
             let at = [x + width * (2.0 * dice.unit() - 1.0), y + 0.012 * (dice.unit() - 0.3)];
-            let paint = [0.7 + 0.3 * dice.unit(), 0.75 + 0.25 * dice.unit(), dice.unit()];
-            self.disc(at, 1.5 + 0.8 * dice.unit(), [0.75, 1.7], paint);
+            let paint = [0.45 + 0.3 * dice.unit(), 0.55 + 0.3 * dice.unit(), dice.unit()];
+            self.disc(at, radius * (0.8 + 0.6 * dice.unit()), [0.8, 2.4], paint);
         }
     }
 

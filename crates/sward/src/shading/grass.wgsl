@@ -7,7 +7,7 @@ struct ShadingLight {
     ground: vec3<f32>,     // mean radiance of the lower half
 }
 
-const SHADING_STRAW: vec3<f32> = vec3<f32>(0.46, 0.36, 0.17);
+const SHADING_STRAW: vec3<f32> = vec3<f32>(0.36, 0.29, 0.14);
 
 // Colour of a leaf. `along` 0 root .. 1 tip, `dry` 0..1, `patchwork` from shading_patchwork, `shade` of the blade.
 fn shading_leaf(root: vec3<f32>, tip: vec3<f32>, along: f32, dry: f32, patchwork: vec3<f32>, shade: f32) -> vec3<f32> {
@@ -23,7 +23,7 @@ fn shading_grass(albedo: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, light: S
     let facing = dot(normal, light.sun);
     let front = max(facing, 0.0);
     let back = max(-facing, 0.0);
-    let passed = albedo * vec3<f32>(1.55, 1.35, 0.45) * through;
+    let passed = albedo * vec3<f32>(1.15, 1.35, 0.40) * through;
     let half_way = normalize(light.sun + view);
     let shine = pow(max(dot(normal, half_way), 0.0), 18.0) * front;
     let sky = mix(light.ground, light.sky, 0.5 + 0.5 * normal.y);

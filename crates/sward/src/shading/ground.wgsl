@@ -20,7 +20,7 @@ fn shading_canopy(albedo: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, light: 
     let front = 0.75 * split.x + 0.25 * top;
     // Looking down, one sees the shaded depth between the tips.
     let depth = 1.0 - 0.45 * max(dot(normal, view), 0.0);
-    let passed = albedo * vec3<f32>(1.55, 1.35, 0.45) * (through * 0.75 * split.y);
+    let passed = albedo * vec3<f32>(1.15, 1.35, 0.40) * (through * 0.75 * split.y);
     let sky = mix(light.ground, light.sky, 0.62);
     return (light.sun_colour * (lit * 0.3183 * 0.8) * (albedo * front + passed) + albedo * sky * 0.72) * depth;
 }

@@ -16,7 +16,7 @@ fn air_mass(up: f32) -> f32 {
 }
 
 fn mie(haze: f32) -> f32 {
-    0.015 + 0.12 * haze
+    0.012 + 0.075 * haze
 }
 
 fn fade(depth: Vec3) -> Vec3 {
@@ -36,12 +36,12 @@ pub fn sky(direction: Vec3, sun: Vec3, haze: f32) -> Vec3 {
     let depth = RAYLEIGH + Vec3::splat(mie);
     let opacity = Vec3::ONE - fade(depth * air_mass(direction.y));
     let rayleigh = 0.0597 * (1.0 + cosine * cosine);
-    let g = 0.76;
+    let g = 0.70;
     let forward = 0.0796 * (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5);
     let phase = (RAYLEIGH * rayleigh + Vec3::splat(mie * forward)) / depth;
-    let share = 0.62 + (0.22 - 0.62) * up.sqrt();
+    let share = 0.72 + (0.16 - 0.72) * up.sqrt();
     let direct = phase * sun_share(sun.y, haze, share);
-    let diffuse = Vec3::new(0.030, 0.034, 0.040) * (Vec3::splat(0.35) + 0.65 * sun_share(sun.y, haze, 0.5));
+    let diffuse = Vec3::new(0.026, 0.030, 0.038) * (Vec3::splat(0.35) + 0.65 * sun_share(sun.y, haze, 0.5));
     SUN * opacity * (direct + diffuse * (1.0 - 0.5 * up))
 }
 
@@ -78,7 +78,8 @@ impl Light {
                 weights += up;
             }
         }
-        let sky = sum / weights * strength * (1.0 + 0.3 * clouds);
+        // Clouds and all that single scattering leaves out brighten the shade.
+        let sky = sum / weights * strength * (1.35 + 0.4 * clouds);
         let ground = Vec3::new(0.10, 0.12, 0.05) * (sky + sun_colour * (sun.y.max(0.0) / std::f32::consts::PI));
         Self { sun, sun_colour, sky, ground }
     }

@@ -9,7 +9,7 @@ fn shading_air_mass(up: f32) -> f32 {
 }
 
 fn shading_mie(haze: f32) -> f32 {
-    return 0.015 + 0.12 * haze;
+    return 0.012 + 0.075 * haze;
 }
 
 // Share of the sun's light that arrives through `share` of the air along its way.
@@ -26,13 +26,13 @@ fn shading_sky(direction: vec3<f32>, sun: vec3<f32>, haze: f32) -> vec3<f32> {
     let depth = SHADING_RAYLEIGH + vec3<f32>(mie);
     let opacity = vec3<f32>(1.0) - exp(-depth * shading_air_mass(direction.y));
     let rayleigh = 0.0597 * (1.0 + cosine * cosine);
-    let g = 0.76;
+    let g = 0.70;
     let forward = 0.0796 * (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
     let phase = (SHADING_RAYLEIGH * rayleigh + vec3<f32>(mie * forward)) / depth;
-    let share = mix(0.62, 0.22, sqrt(up));
+    let share = mix(0.72, 0.16, sqrt(up));
     let direct = phase * shading_sun_share(sun.y, haze, share);
     // Light scattered many times has lost its direction and most of its colour.
-    let diffuse = vec3<f32>(0.030, 0.034, 0.040) * (0.35 + 0.65 * shading_sun_share(sun.y, haze, 0.5));
+    let diffuse = vec3<f32>(0.026, 0.030, 0.038) * (0.35 + 0.65 * shading_sun_share(sun.y, haze, 0.5));
     return SHADING_SUN * opacity * (direct + diffuse * (1.0 - 0.5 * up));
 }
 
@@ -40,7 +40,7 @@ fn shading_sky(direction: vec3<f32>, sun: vec3<f32>, haze: f32) -> vec3<f32> {
 fn shading_sun_disc(direction: vec3<f32>, sun: vec3<f32>, haze: f32) -> vec3<f32> {
     let cosine = dot(direction, sun);
     let disc = smoothstep(0.99988, 0.99996, cosine);
-    let glare = 0.05 * exp(-(1.0 - cosine) * 900.0) + 0.012 * exp(-(1.0 - cosine) * 60.0);
+    let glare = 0.06 * exp(-(1.0 - cosine) * 1200.0) + 0.008 * exp(-(1.0 - cosine) * 80.0);
     return SHADING_SUN * shading_sun_share(sun.y, haze, 0.8) * (6.0 * disc + glare * (1.0 + haze));
 }
 
@@ -60,11 +60,11 @@ fn shading_cloud_density(p: vec2<f32>) -> f32 {
 fn shading_clouds(direction: vec3<f32>, sun: vec3<f32>, haze: f32, cover: f32, drift: vec2<f32>) -> vec4<f32> {
     let up = max(direction.y, 0.0);
     let plane = direction.xz / (up + 0.10);
-    let density = shading_cloud_density(plane * 1.3 + drift);
-    let threshold = mix(0.74, 0.34, cover);
+    let density = shading_cloud_density(plane * 0.9 + drift);
+    let threshold = mix(0.68, 0.30, cover);
     let body = smoothstep(threshold, threshold + 0.22, density);
     let toward = direction.xz + sun.xz * 0.06;
-    let lit = shading_cloud_density((toward / (up + 0.10)) * 1.3 + drift);
+    let lit = shading_cloud_density((toward / (up + 0.10)) * 0.9 + drift);
     let depth = clamp((lit - threshold) * 3.2, 0.0, 1.0);
     let cosine = dot(direction, sun);
     let silver = 0.10 + 0.55 * pow(max(0.5 + 0.5 * cosine, 0.0), 9.0);
@@ -93,7 +93,7 @@ fn shading_backdrop(direction: vec3<f32>, sun: vec3<f32>, haze: f32, cover: f32,
     let level = shading_sky(normalize(vec3<f32>(direction.x, 0.02, direction.z)), sun, haze);
     let soft = 0.0012;
     let far = smoothstep(-soft, soft, shading_ridge(direction, 71u, 0.012, 0.055) - slope);
-    colour = mix(colour, level * vec3<f32>(0.62, 0.68, 0.80), far);
+    colour = mix(colour, level * vec3<f32>(0.66, 0.72, 0.84), far);
     let near = smoothstep(-soft, soft, shading_ridge(direction, 91u, -0.006, 0.045) - slope);
-    return mix(colour, level * vec3<f32>(0.40, 0.46, 0.50), near);
+    return mix(colour, level * vec3<f32>(0.50, 0.57, 0.64), near);
 }

@@ -25,5 +25,5 @@ fn frame_light() -> ShadingLight {
 
 // Colour that the air adds between the eye and far away, by direction of the ray.
 fn frame_air(ray: vec3<f32>) -> vec3<f32> {
-    return shading_sky(normalize(vec3<f32>(ray.x, max(ray.y, 0.0) + 0.02, ray.z)), frame.sun.xyz, frame.sun.w);
+    return 0.78 * shading_sky(normalize(vec3<f32>(ray.x, max(ray.y, 0.0) + 0.03, ray.z)), frame.sun.xyz, frame.sun.w);
 }

@@ -27,12 +27,12 @@ struct Leaf {
     @location(0) place: vec3<f32>,
     @location(1) across: vec3<f32>, // along the card, unit
     @location(2) facing: vec3<f32>, // out of the card, unit
-    @location(3) card: vec4<f32>,   // u, v, along 0..1, share of fading
+    @location(3) card: vec4<f32>,   // u, v, along 0..1, how much it lies down 0..1
     @location(4) patchwork: vec4<f32>, // shading_patchwork, tint
     @location(5) @interpolate(flat) layer: u32,
 }
 
-struct Bent { place: vec3<f32>, across: vec3<f32>, facing: vec3<f32>, along: f32, side: f32 }
+struct Bent { place: vec3<f32>, across: vec3<f32>, facing: vec3<f32>, along: f32, side: f32, lying: f32 }
 
 // Corner `corner` of a plant: card, joint and side follow from its number.
 fn plants_bend(plant: Plant, index: u32, corner: u32, keep: f32) -> Bent {
@@ -58,7 +58,7 @@ fn plants_bend(plant: Plant, index: u32, corner: u32, keep: f32) -> Bent {
     let width = plant.width * mix(1.0, 1.35, lying) * keep;
     let place = base + (here - base) * keep + across * (0.5 * width * side)
         + vec3<f32>(0.0, lying * 0.018 * f32(card + 1u) * f32(joint), 0.0);
-    return Bent(place, across, normalize(cross(across, tangent)), f32(joint) / f32(segments), side);
+    return Bent(place, across, normalize(cross(across, tangent)), f32(joint) / f32(segments), side, lying);
 }
 
 fn plants_nowhere() -> vec4<f32> {
@@ -83,7 +83,7 @@ fn plants_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) in
     leaf.across = bent.across;
     leaf.facing = bent.facing;
     let flip = select(1.0, -1.0, fract(plant.tint * 64.0) < 0.5);
-    leaf.card = vec4<f32>(0.5 + 0.5 * bent.side * flip, 1.0 - bent.along, bent.along, gone);
+    leaf.card = vec4<f32>(0.5 + 0.5 * bent.side * flip, 1.0 - bent.along, bent.along, bent.lying);
     leaf.patchwork = vec4<f32>(shading_patchwork(plant.root.xz + frame.phase.xy), plant.tint);
     leaf.layer = plant.layer;
     return leaf;
@@ -108,9 +108,10 @@ fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
     let dry = texel.g + style.root.w + 0.55 * leaf.patchwork.y + 0.3 * max(tint - 0.75, 0.0);
     let albedo = shading_leaf(style.root.rgb, style.tip.rgb, along, dry, leaf.patchwork.xyz, texel.r * (0.86 + 0.28 * tint));
     // Neighbours hide the sky and, with a low sun, the sun from all but the tips.
-    let open = mix(0.16, 1.0, along * sqrt(along));
+    let lying = leaf.card.w;
+    let open = mix(mix(0.16, 1.0, along * sqrt(along)), 0.9, lying);
     let reach = 1.0 - along;
-    let through_canopy = exp(-1.5 * reach * reach / (0.25 + frame.sun.y));
+    let through_canopy = mix(exp(-1.5 * reach * reach / (0.25 + frame.sun.y)), 0.9, lying);
     let lit = shadows_lit(shadows_place(leaf.place, 0.10), 2.2) * through_canopy;
     let colour = shading_grass(albedo, normal, view, frame_light(), lit, open, style.tip.w);
     let clear = shading_fog(distance, frame.camera.w);
