@@ -192,7 +192,7 @@ fn place_truck(ground: &Ground, mesh: usize) -> BodyDraw {
     let up = forward.cross(left).normalize();
     let rotation = Quat::from_mat3(&glam::Mat3::from_cols(up.cross(forward), up, forward));
     let position = here(at) - Vec3::Y * 0.03;
-    BodyDraw { mesh, transform: Mat4::from_rotation_translation(rotation, position), paint: [0.07, 0.20, 0.27], ground: position.y }
+    BodyDraw { mesh, transform: Mat4::from_rotation_translation(rotation, position), paint: [0.035, 0.105, 0.16], ground: position.y }
 }
 
 /// Bend (x, z) of a plant at `p`: the track of the wheels and what the floor pan has brushed.
@@ -207,13 +207,13 @@ fn track(p: Vec2, chance: f32) -> Vec2 {
     let wheel = (offset.abs() - 0.82).abs();
     let ahead = out.normalize_or(Vec2::X).perp();
     let away = out.normalize_or(Vec2::X) * offset.signum();
-    if wheel < 0.17 {
+    if wheel < 0.22 {
         ahead * (1.38 + 0.08 * chance)
-    } else if wheel < 0.55 {
-        let near = 1.0 - (wheel - 0.17) / 0.38;
-        (ahead * 0.8 + away * 0.5 * if offset.abs() > 0.82 { 1.0 } else { 0.2 }) * near
+    } else if wheel < 0.60 {
+        let near = 1.0 - (wheel - 0.22) / 0.38;
+        (ahead * 1.0 + away * 0.7 * if offset.abs() > 0.82 { 1.0 } else { 0.2 }) * near
     } else if offset.abs() < 0.8 {
-        ahead * (0.55 + 0.2 * chance)
+        ahead * (0.85 + 0.2 * chance)
     } else {
         Vec2::ZERO
     }

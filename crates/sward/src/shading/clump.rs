@@ -145,7 +145,7 @@ fn blade(habit: &Habit, dice: &mut Dice, depth: f32) -> Stroke {
         droop: dice.between(habit.droop),
         half_width: dice.between(habit.half_width),
         shade: 0.50 + 0.30 * depth + 0.20 * dice.unit(),
-        dryness: habit.dryness[0] + (habit.dryness[1] - habit.dryness[0]) * old * old * old + if old > 0.93 { 0.4 } else { 0.0 },
+        dryness: habit.dryness[0] + (habit.dryness[1] - habit.dryness[0]) * old * old * old + if old > 0.87 { 0.45 } else { 0.0 },
         facing: dice.unit(),
     }
 }

@@ -32,8 +32,8 @@ fn shading_patchwork(p: vec2<f32>) -> vec3<f32> {
     let dry = shading_noise(p / 16.0, 64, 14u) * 0.6 + middle * 0.25 + small * 0.15;
     return vec3<f32>(
         1.1 * (broad - 0.5) + 0.7 * (middle - 0.5) + 0.3 * (small - 0.5),
-        smoothstep(0.50, 0.85, dry),
-        0.82 + 0.22 * middle + 0.14 * small,
+        smoothstep(0.44, 0.78, dry),
+        0.72 + 0.36 * middle + 0.20 * small,
     );
 }
 

@@ -29,7 +29,7 @@ fn shading_sky(direction: vec3<f32>, sun: vec3<f32>, haze: f32) -> vec3<f32> {
     let g = 0.70;
     let forward = 0.0796 * (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
     let phase = (SHADING_RAYLEIGH * rayleigh + vec3<f32>(mie * forward)) / depth;
-    let share = mix(0.72, 0.16, sqrt(up));
+    let share = mix(1.0, 0.18, sqrt(up));
     let direct = phase * shading_sun_share(sun.y, haze, share);
     // Light scattered many times has lost its direction and most of its colour.
     let diffuse = vec3<f32>(0.026, 0.030, 0.038) * (0.35 + 0.65 * shading_sun_share(sun.y, haze, 0.5));
@@ -68,7 +68,7 @@ fn shading_clouds(direction: vec3<f32>, sun: vec3<f32>, haze: f32, cover: f32, d
     let depth = clamp((lit - threshold) * 3.2, 0.0, 1.0);
     let cosine = dot(direction, sun);
     let silver = 0.10 + 0.55 * pow(max(0.5 + 0.5 * cosine, 0.0), 9.0);
-    let light = SHADING_SUN * shading_sun_share(sun.y, haze, 0.55) * silver * exp(-2.2 * depth);
+    let light = SHADING_SUN * shading_sun_share(sun.y, haze, 0.9) * silver * exp(-2.2 * depth);
     let shade = shading_sky(vec3<f32>(0.0, 1.0, 0.0), sun, haze) * 1.1 + 0.25 * shading_sky(normalize(vec3<f32>(direction.x, 0.05, direction.z)), sun, haze);
     // Far clouds sink into the haze of the horizon.
     let near = smoothstep(0.015, 0.22, up);

@@ -142,7 +142,7 @@ impl FrameUniform {
 }
 
 /// Brings the renderer's unit to a well-exposed evening at 0 EV.
-const EXPOSURE: f32 = 1.25;
+const EXPOSURE: f32 = 1.4;
 
 /// Frame space to shadow map (xy 0..1, v down; z depth 0..1) for a sun in direction `sun`.
 fn shadow_matrix(focus: Vec3, sun: Vec3, reach: f32) -> Mat4 {

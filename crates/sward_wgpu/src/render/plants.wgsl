@@ -29,7 +29,8 @@ struct Leaf {
     @location(2) facing: vec3<f32>, // out of the card, unit
     @location(3) card: vec4<f32>,   // u, v, along 0..1, how much it lies down 0..1
     @location(4) patchwork: vec4<f32>, // shading_patchwork, tint
-    @location(5) @interpolate(flat) layer: u32,
+    @location(5) air: vec4<f32>,    // light the air adds, and what it leaves of the leaf's
+    @location(6) @interpolate(flat) layer: u32,
 }
 
 struct Bent { place: vec3<f32>, across: vec3<f32>, facing: vec3<f32>, along: f32, side: f32, lying: f32 }
@@ -85,6 +86,9 @@ fn plants_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) in
     let flip = select(1.0, -1.0, fract(plant.tint * 64.0) < 0.5);
     leaf.card = vec4<f32>(0.5 + 0.5 * bent.side * flip, 1.0 - bent.along, bent.along, bent.lying);
     leaf.patchwork = vec4<f32>(shading_patchwork(plant.root.xz + frame.phase.xy), plant.tint);
+    let away = bent.place - frame.camera.xyz;
+    let clear = shading_fog(length(away), frame.camera.w);
+    leaf.air = vec4<f32>(frame_air(normalize(away)) * (1.0 - clear), clear);
     leaf.layer = plant.layer;
     return leaf;
 }
@@ -98,8 +102,7 @@ fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
         discard;
     }
     let to_eye = frame.camera.xyz - leaf.place;
-    let distance = length(to_eye);
-    let view = to_eye / max(distance, 1e-3);
+    let view = normalize(to_eye);
     let along = leaf.card.z;
     let heading = (texel.b - 0.5) * 2.6;
     var normal = normalize(leaf.facing * cos(heading) + leaf.across * sin(heading) + vec3<f32>(0.0, 0.18, 0.0));
@@ -114,8 +117,7 @@ fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
     let through_canopy = mix(exp(-1.5 * reach * reach / (0.25 + frame.sun.y)), 0.9, lying);
     let lit = shadows_lit(shadows_place(leaf.place, 0.10), 2.2) * through_canopy;
     let colour = shading_grass(albedo, normal, view, frame_light(), lit, open, style.tip.w);
-    let clear = shading_fog(distance, frame.camera.w);
-    return vec4<f32>(mix(frame_air(-view), colour, clear), alpha);
+    return vec4<f32>(leaf.air.rgb + colour * leaf.air.a, alpha);
 }
 
 struct Shade {
