@@ -47,7 +47,8 @@ fn shading_fog(distance: f32, density: f32) -> f32 {
 fn shading_tone(radiance: vec3<f32>) -> vec3<f32> {
     let luminance = dot(radiance, vec3<f32>(0.2126, 0.7152, 0.0722));
     // Very bright colours wash out, as they do on film.
-    let washed = mix(radiance, vec3<f32>(luminance), luminance / (luminance + 9.0));
+    let vivid = max(mix(vec3<f32>(luminance), radiance, 1.15), vec3<f32>(0.0));
+    let washed = mix(vivid, vec3<f32>(luminance), luminance / (luminance + 14.0));
     let shoulder = 1.0 - exp(-washed);
     let toe = washed / (washed + 0.055);
     return clamp(shoulder * mix(toe, vec3<f32>(1.0), 0.35), vec3<f32>(0.0), vec3<f32>(1.0));

@@ -39,7 +39,7 @@ pub fn sky(direction: Vec3, sun: Vec3, haze: f32) -> Vec3 {
     let g = 0.70;
     let forward = 0.0796 * (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5);
     let phase = (RAYLEIGH * rayleigh + Vec3::splat(mie * forward)) / depth;
-    let share = 1.0 + (0.18 - 1.0) * up.sqrt();
+    let share = 1.55 + (0.18 - 1.55) * up.sqrt();
     let direct = phase * sun_share(sun.y, haze, share);
     let diffuse = Vec3::new(0.026, 0.030, 0.038) * (Vec3::splat(0.35) + 0.65 * sun_share(sun.y, haze, 0.5));
     SUN * opacity * (direct + diffuse * (1.0 - 0.5 * up))
@@ -65,7 +65,7 @@ impl Light {
     pub fn new(azimuth: f32, elevation: f32, strength: f32, haze: f32, clouds: f32) -> Self {
         let (sine, cosine) = elevation.sin_cos();
         let sun = Vec3::new(cosine * azimuth.cos(), sine, cosine * azimuth.sin());
-        let sun_colour = SUN * 1.15 * strength * (1.0 - 0.35 * clouds) * sun_share(sun.y, haze, 0.95);
+        let sun_colour = SUN * 1.45 * strength * (1.0 - 0.35 * clouds) * sun_share(sun.y, haze, 1.25);
         let mut sum = Vec3::ZERO;
         let mut weights = 0.0;
         for ring in 0..4 {

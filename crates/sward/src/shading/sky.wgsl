@@ -29,7 +29,7 @@ fn shading_sky(direction: vec3<f32>, sun: vec3<f32>, haze: f32) -> vec3<f32> {
     let g = 0.70;
     let forward = 0.0796 * (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
     let phase = (SHADING_RAYLEIGH * rayleigh + vec3<f32>(mie * forward)) / depth;
-    let share = mix(1.0, 0.18, sqrt(up));
+    let share = mix(1.55, 0.18, sqrt(up));
     let direct = phase * shading_sun_share(sun.y, haze, share);
     // Light scattered many times has lost its direction and most of its colour.
     let diffuse = vec3<f32>(0.026, 0.030, 0.038) * (0.35 + 0.65 * shading_sun_share(sun.y, haze, 0.5));
@@ -41,7 +41,7 @@ fn shading_sun_disc(direction: vec3<f32>, sun: vec3<f32>, haze: f32) -> vec3<f32
     let cosine = dot(direction, sun);
     let disc = smoothstep(0.99988, 0.99996, cosine);
     let glare = 0.06 * exp(-(1.0 - cosine) * 1200.0) + 0.008 * exp(-(1.0 - cosine) * 80.0);
-    return SHADING_SUN * shading_sun_share(sun.y, haze, 0.8) * (6.0 * disc + glare * (1.0 + haze));
+    return SHADING_SUN * shading_sun_share(sun.y, haze, 1.2) * (6.0 * disc + glare * (1.0 + haze));
 }
 
 fn shading_cloud_density(p: vec2<f32>) -> f32 {
@@ -68,7 +68,7 @@ fn shading_clouds(direction: vec3<f32>, sun: vec3<f32>, haze: f32, cover: f32, d
     let depth = clamp((lit - threshold) * 3.2, 0.0, 1.0);
     let cosine = dot(direction, sun);
     let silver = 0.10 + 0.55 * pow(max(0.5 + 0.5 * cosine, 0.0), 9.0);
-    let light = SHADING_SUN * shading_sun_share(sun.y, haze, 0.9) * silver * exp(-2.2 * depth);
+    let light = SHADING_SUN * 1.5 * shading_sun_share(sun.y, haze, 1.2) * silver * exp(-2.2 * depth);
     let shade = shading_sky(vec3<f32>(0.0, 1.0, 0.0), sun, haze) * 1.1 + 0.25 * shading_sky(normalize(vec3<f32>(direction.x, 0.05, direction.z)), sun, haze);
     // Far clouds sink into the haze of the horizon.
     let near = smoothstep(0.015, 0.22, up);
