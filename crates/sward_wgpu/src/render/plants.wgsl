@@ -95,14 +95,17 @@ fn plants_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) in
 
 @fragment
 fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
-    let texel = textureSample(clumps, clump_sampler, leaf.card.xy, leaf.layer);
+    let to_eye = frame.camera.xyz - leaf.place;
+    let view = normalize(to_eye);
+    // Cards seen on edge would be smeared by their coarse mip levels: sharpen a little, and let the thinnest go.
+    let on_edge = smoothstep(0.03, 0.20, abs(dot(leaf.facing, view)));
+    var texel = textureSampleBias(clumps, clump_sampler, leaf.card.xy, leaf.layer, -0.7);
+    texel.a *= mix(0.35, 1.0, on_edge);
     // A rim one pixel wide, whatever the mip level: alpha becomes coverage of the four samples.
     let alpha = clamp((texel.a - 0.5) / max(fwidth(texel.a), 0.02) + 0.5, 0.0, 1.0);
     if alpha < 0.1 {
         discard;
     }
-    let to_eye = frame.camera.xyz - leaf.place;
-    let view = normalize(to_eye);
     let along = leaf.card.z;
     let heading = (texel.b - 0.5) * 2.6;
     var normal = normalize(leaf.facing * cos(heading) + leaf.across * sin(heading) + vec3<f32>(0.0, 0.18, 0.0));
