@@ -14,6 +14,7 @@ pub mod placement;
 pub mod plan;
 pub mod response;
 pub mod scene;
+pub mod shading;
 pub mod state;
 pub mod terrain;
 pub mod view;

@@ -1,5 +1,7 @@
-//! From state to shape: how a plant becomes joints and triangles.
+//! From state to shape: how plants and bodies become triangles.
 //!
 //! To add a representation: a file pair `x.rs` + `x.wgsl`, a variant of [`crate::scene::Representation`] and an arm in the renderer.
 
 pub mod billboard;
+pub mod mesh;
+pub mod truck;

@@ -1,0 +1,36 @@
+// Ground: bare turf near by, and the mean of a whole canopy further away.
+
+// Share of the sun that upright leaves of random heading send to the viewer: x reflected, y let through.
+// For leaf normals spread evenly over the half turn that faces the viewer, weighted by what is seen of them:
+// with p the angle between the two horizontal directions, ((pi - p) cos p + sin p) / 4 and (sin p - p cos p) / 4.
+fn shading_canopy_split(view: vec3<f32>, sun: vec3<f32>) -> vec2<f32> {
+    let a = normalize(view.xz + vec2<f32>(1e-5, 0.0));
+    let b = normalize(sun.xz + vec2<f32>(1e-5, 0.0));
+    let cosine = clamp(dot(a, b), -1.0, 1.0);
+    let angle = acos(cosine);
+    let sine = sqrt(1.0 - cosine * cosine);
+    let level = sqrt(max(1.0 - sun.y * sun.y, 0.0));
+    return level * 0.25 * vec2<f32>((3.14159265 - angle) * cosine + sine, sine - angle * cosine);
+}
+
+// Radiance of a canopy seen from so far away that single leaves vanish. `albedo` is the leaves' mean colour.
+fn shading_canopy(albedo: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, light: ShadingLight, lit: f32, through: f32) -> vec3<f32> {
+    let split = shading_canopy_split(view, light.sun);
+    let top = max(dot(normal, light.sun), 0.0);
+    let front = 0.75 * split.x + 0.25 * top;
+    // Looking down, one sees the shaded depth between the tips.
+    let depth = 1.0 - 0.45 * max(dot(normal, view), 0.0);
+    let passed = albedo * vec3<f32>(1.15, 1.35, 0.40) * (through * 0.75 * split.y);
+    let sky = mix(light.ground, light.sky, 0.62);
+    return (light.sun_colour * (lit * 0.3183 * 0.8) * (albedo * front + passed) + albedo * sky * 0.72) * depth;
+}
+
+// Brightness pattern of turf, about 1; waves shorter than `footprint` metres (one pixel on the ground) are left out.
+fn shading_turf(p: vec2<f32>, footprint: f32) -> f32 {
+    var sum = 0.0;
+    sum += (shading_noise(p * 0.5, 512, 21u) - 0.5) * 0.25 * (1.0 - smoothstep(0.5, 2.0, footprint));
+    sum += (shading_noise(p * 2.0, 2048, 22u) - 0.5) * 0.40 * (1.0 - smoothstep(0.12, 0.5, footprint));
+    sum += (shading_noise(p * 8.0, 8192, 23u) - 0.5) * 0.50 * (1.0 - smoothstep(0.03, 0.12, footprint));
+    sum += (shading_noise(p * 32.0, 32768, 24u) - 0.5) * 0.60 * (1.0 - smoothstep(0.008, 0.03, footprint));
+    return 1.0 + sum;
+}

@@ -1,0 +1,141 @@
+//! The device everything runs on, and the errors it reports.
+//!
+//! Only WebGPU's default limits are asked for, so whatever runs here also runs in a browser.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// A device, its queue, and what went wrong on it.
+pub struct Gpu {
+    /// The logical device: creates buffers, textures and pipelines.
+    pub device: wgpu::Device,
+    /// Where work and data are handed in.
+    pub queue: wgpu::Queue,
+    /// Name, kind and driver of the adapter.
+    pub adapter_info: wgpu::AdapterInfo,
+    errors: Arc<Mutex<Vec<String>>>,
+}
+
+/// Why there is no usable device.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum GpuError {
+    /// No adapter at all.
+    #[error(
+        "no graphics adapter found. A software one is enough:\n\
+         \x20 Debian, Ubuntu: apt install mesa-vulkan-drivers\n\
+         \x20 Fedora: dnf install mesa-vulkan-drivers\n\
+         \x20 Windows, macOS: update the graphics driver"
+    )]
+    NoAdapter,
+    /// The environment variable names an adapter that is not there.
+    #[error("SWARD_ADAPTER is \"{wanted}\", but the adapters here are: {found}")]
+    UnknownAdapter {
+        /// What the variable says.
+        wanted: String,
+        /// Names of the adapters that exist, separated by commas.
+        found: String,
+    },
+    /// The adapter exists but gives no device.
+    #[error("the adapter \"{adapter}\" gave no device: {reason}")]
+    NoDevice {
+        /// Name of the adapter.
+        adapter: String,
+        /// What the driver said.
+        reason: String,
+    },
+    /// The device reported errors while working.
+    #[error("the graphics device reported: {0}")]
+    Device(String),
+}
+
+impl Gpu {
+    /// Opens the best adapter, or the one whose name contains `SWARD_ADAPTER` (case does not matter).
+    ///
+    /// `SWARD_VALIDATION=1` switches the driver's validation layer on.
+    ///
+    /// # Errors
+    /// No adapter, no adapter of that name, or the adapter refuses a device.
+    pub fn new() -> Result<Self, GpuError> {
+        let wanted = std::env::var("SWARD_ADAPTER").ok().filter(|name| !name.is_empty());
+        pollster::block_on(Self::open(wanted.as_deref()))
+    }
+
+    /// As [`Gpu::new`], with the wanted name given instead of read from the environment.
+    ///
+    /// # Errors
+    /// As [`Gpu::new`].
+    pub async fn open(wanted: Option<&str>) -> Result<Self, GpuError> {
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+        descriptor.flags = if std::env::var_os("SWARD_VALIDATION").is_some_and(|value| value == "1") {
+            wgpu::InstanceFlags::VALIDATION | wgpu::InstanceFlags::DEBUG
+        } else {
+            wgpu::InstanceFlags::empty()
+        };
+        let instance = wgpu::Instance::new(descriptor);
+        let adapters = instance.enumerate_adapters(wgpu::Backends::all()).await;
+        let adapter = choose(adapters, wanted)?;
+        let adapter_info = adapter.get_info();
+        let (device, queue) = adapter
+            .request_device(&wgpu::DeviceDescriptor {
+                label: Some("sward"),
+                required_limits: wgpu::Limits::default(),
+                ..Default::default()
+            })
+            .await
+            .map_err(|reason| GpuError::NoDevice { adapter: adapter_info.name.clone(), reason: reason.to_string() })?;
+        Ok(Self::watch(device, queue, adapter_info))
+    }
+
+    /// Takes over a device somebody else made, for hosts that own one already.
+    pub fn watch(device: wgpu::Device, queue: wgpu::Queue, adapter_info: wgpu::AdapterInfo) -> Self {
+        let errors = Arc::new(Mutex::new(Vec::new()));
+        let sink = Arc::clone(&errors);
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            let mut list = sink.lock().unwrap_or_else(PoisonError::into_inner);
+            // One broken pipeline repeats its message every frame; the first few tell the story.
+            if list.len() < 16 {
+                list.push(error.to_string());
+            }
+        }));
+        Self { device, queue, adapter_info, errors }
+    }
+
+    /// Takes the messages collected since the last call; empty when all went well.
+    pub fn take_errors(&self) -> Vec<String> {
+        std::mem::take(&mut *self.errors.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// Fails when the device has reported anything since the last look.
+    ///
+    /// # Errors
+    /// [`GpuError::Device`] with the collected messages.
+    pub fn check(&self) -> Result<(), GpuError> {
+        let errors = self.take_errors();
+        if errors.is_empty() { Ok(()) } else { Err(GpuError::Device(errors.join("\n"))) }
+    }
+}
+
+fn choose(adapters: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<wgpu::Adapter, GpuError> {
+    let names = adapters.iter().map(|adapter| adapter.get_info().name).collect::<Vec<_>>().join(", ");
+    if adapters.is_empty() {
+        return Err(GpuError::NoAdapter);
+    }
+    let fits = |adapter: &wgpu::Adapter| wanted.is_none_or(|part| adapter.get_info().name.to_lowercase().contains(&part.to_lowercase()));
+    adapters
+        .into_iter()
+        .filter(fits)
+        .min_by_key(|adapter| rank(&adapter.get_info()))
+        .ok_or_else(|| GpuError::UnknownAdapter { wanted: wanted.unwrap_or_default().to_owned(), found: names })
+}
+
+/// Lower is better: a real graphics card before a software driver, a native interface before OpenGL.
+fn rank(info: &wgpu::AdapterInfo) -> u32 {
+    let kind = match info.device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
+    };
+    2 * kind + u32::from(info.backend == wgpu::Backend::Gl)
+}

@@ -1,0 +1,176 @@
+//! A picture of a scene, without a window: shadow pass, main pass, resolve, read-back.
+
+use sward::geometry::mesh::Mesh;
+
+use crate::gpu::{Gpu, GpuError};
+use crate::render::bodies::BodyPass;
+use crate::render::frame::{FrameInput, FrameUniform};
+use crate::render::ground::{GroundPass, Relief, TurfUniform};
+use crate::render::plants::{Look, PlantDraws, PlantPass};
+use crate::render::shadow::ShadowMap;
+use crate::render::sky::SkyPass;
+use crate::render::targets::{Resolve, Targets};
+
+/// What stays the same from picture to picture.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// The ground's shape.
+    pub relief: Relief,
+    /// Looks that batches of plants refer to. The first one also colours the ground where plants are too far to draw.
+    pub looks: Vec<Look>,
+    /// Half side of the square around the focus that casts shadows, metres.
+    pub shadow_reach: f32,
+}
+
+impl Default for Setup {
+    fn default() -> Self {
+        Self { relief: Relief::flat(0.0), looks: vec![Look::of(sward::shading::clump::Kind::Meadow)], shadow_reach: 36.0 }
+    }
+}
+
+/// A finished picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels per row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// sRGB code values and opaque alpha, row-major from the top left.
+    pub rgba8: Vec<u8>,
+}
+
+/// Draws pictures of one scene.
+pub struct Renderer {
+    frame: wgpu::Buffer,
+    shadow: ShadowMap,
+    sky: SkyPass,
+    ground: GroundPass,
+    bodies: BodyPass,
+    plants: PlantPass,
+    resolve: Resolve,
+    targets: Option<Targets>,
+    relief: Relief,
+    shadow_reach: f32,
+}
+
+impl Renderer {
+    /// Builds all passes.
+    ///
+    /// # Errors
+    /// What the device reports, for instance a shader the driver refuses.
+    pub fn new(gpu: &Gpu, setup: &Setup) -> Result<Self, GpuError> {
+        let frame = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("frame"),
+            size: size_of::<FrameUniform>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let shadow = ShadowMap::new(&gpu.device);
+        let looks = if setup.looks.is_empty() { Setup::default().looks } else { setup.looks.clone() };
+        let mut relief = setup.relief.clone();
+        // Only the mapping is needed from here on; the samples live on the GPU.
+        let renderer = Self {
+            sky: SkyPass::new(gpu, &frame),
+            ground: GroundPass::new(gpu, &frame, &shadow, &relief, turf(&looks[0])),
+            bodies: BodyPass::new(gpu, &frame, &shadow),
+            plants: PlantPass::new(gpu, &looks),
+            resolve: Resolve::new(gpu),
+            targets: None,
+            relief: {
+                relief.heights = Vec::new();
+                relief
+            },
+            shadow_reach: setup.shadow_reach.clamp(1.0, 1000.0),
+            frame,
+            shadow,
+        };
+        gpu.check()?;
+        Ok(renderer)
+    }
+
+    /// Hands a body's mesh over; the answer is its number in [`crate::render::frame::BodyDraw`].
+    pub fn add_mesh(&mut self, gpu: &Gpu, mesh: &Mesh) -> usize {
+        self.bodies.add_mesh(gpu, mesh)
+    }
+
+    /// Draws one picture of `size` pixels and keeps it on the GPU; sizes are limited to the device's largest texture.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn draw(&mut self, gpu: &Gpu, input: &FrameInput<'_>, plants: &PlantDraws<'_>, size: [u32; 2]) -> Result<(), GpuError> {
+        let most = gpu.device.limits().max_texture_dimension_2d;
+        let size = size.map(|side| side.clamp(1, most));
+        let uniform = FrameUniform::new(input, self.relief.frame(input.origin), size, self.shadow_reach);
+        gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
+        self.ground.place(gpu, [input.view.position.x, input.view.position.z], input.origin);
+        self.bodies.place(gpu, input.bodies);
+        let ready = self.plants.ready(gpu, &self.frame, &self.shadow, plants);
+        let targets = match self.targets.take() {
+            Some(targets) if targets.size == size => targets,
+            _ => self.resolve.targets(gpu, &self.frame, size),
+        };
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        {
+            let mut pass = self.shadow.begin(&mut encoder);
+            self.bodies.draw_shadow(&mut pass);
+            self.plants.draw_shadow(&mut pass, &ready);
+        }
+        {
+            // Near things first: what they hide is never shaded.
+            let mut pass = targets.begin(&mut encoder);
+            self.bodies.draw(&mut pass);
+            self.plants.draw(&mut pass, &ready);
+            self.ground.draw(&mut pass);
+            self.sky.draw(&mut pass);
+        }
+        self.resolve.draw(&mut encoder, &targets, &targets.display.create_view(&Default::default()));
+        gpu.queue.submit([encoder.finish()]);
+        self.targets = Some(targets);
+        gpu.check()
+    }
+
+    /// Reads the last picture back; an empty one if nothing was drawn.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn read(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
+        let Some(targets) = &self.targets else {
+            return Ok(Picture { width: 0, height: 0, rgba8: Vec::new() });
+        };
+        let [width, height] = targets.size;
+        let row = (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read-back"),
+            size: u64::from(row) * u64::from(height),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        encoder.copy_texture_to_buffer(
+            targets.display.as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &buffer,
+                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None },
+            },
+            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        );
+        gpu.queue.submit([encoder.finish()]);
+        let slice = buffer.slice(..);
+        slice.map_async(wgpu::MapMode::Read, |_| {});
+        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| GpuError::Device(error.to_string()))?;
+        gpu.check()?;
+        let bytes = slice.get_mapped_range();
+        let rgba8 = bytes.chunks_exact(row as usize).flat_map(|line| &line[..4 * width as usize]).copied().collect();
+        Ok(Picture { width, height, rgba8 })
+    }
+}
+
+/// The ground takes the mean colour of the first look's plants.
+fn turf(look: &Look) -> TurfUniform {
+    let mean = sward::shading::clump::paint(look.kind, 0).mean();
+    TurfUniform {
+        root: [look.root[0], look.root[1], look.root[2], (look.dryness + mean[1]).min(1.0)],
+        tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
+        mean: [mean[0], 1.0, look.fade[1], 0.0],
+    }
+}

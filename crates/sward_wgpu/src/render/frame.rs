@@ -1,0 +1,161 @@
+//! What is drawn from where, in which light; and its layout for the shaders.
+
+use glam::{DVec2, Mat4, Quat, Vec3, Vec4};
+use sward::shading::sky::Light;
+
+/// The pattern of the ground repeats after this many metres (`SHADING_PERIOD` in `common.wgsl`).
+const PATTERN_PERIOD: f64 = 1024.0;
+
+/// Where the camera is and where it looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Metres relative to the frame origin, y absolute.
+    pub position: Vec3,
+    /// Turns camera axes (x right, y up, −z ahead) into world axes.
+    pub rotation: Quat,
+    /// Vertical angle of view, radians, 0.05..=2.5.
+    pub field_of_view: f32,
+}
+
+impl View {
+    /// A camera at `eye` that looks at `target`, both relative to the frame origin.
+    pub fn looking_at(eye: Vec3, target: Vec3, field_of_view: f32) -> Self {
+        let ahead = (target - eye).normalize_or(Vec3::Z);
+        let right = ahead.cross(Vec3::Y).normalize_or(Vec3::X);
+        let axes = glam::Mat3::from_cols(right, right.cross(ahead), -ahead);
+        Self { position: eye, rotation: Quat::from_mat3(&axes), field_of_view }
+    }
+}
+
+/// Sun and air.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightInput {
+    /// Heading of the sun, radians: 0 = +x, towards +z.
+    pub azimuth: f32,
+    /// Height of the sun, radians, 0.02..=1.57.
+    pub elevation: f32,
+    /// Factor on the sun's light, 0..=10.
+    pub strength: f32,
+    /// Haziness of the sky, 0..=1.
+    pub haze: f32,
+    /// Fog density, 1/m, 0..=1.
+    pub fog: f32,
+    /// Exposure, EV, −8..=8.
+    pub exposure: f32,
+    /// Cloud cover, 0..=1.
+    pub clouds: f32,
+}
+
+impl Default for LightInput {
+    fn default() -> Self {
+        Self { azimuth: 0.6, elevation: 0.22, strength: 1.0, haze: 0.3, fog: 0.0015, exposure: 0.0, clouds: 0.4 }
+    }
+}
+
+/// One body to draw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyDraw {
+    /// A mesh handed to the renderer before.
+    pub mesh: usize,
+    /// Body to frame space.
+    pub transform: Mat4,
+    /// Linear RGB of the painted parts.
+    pub paint: [f32; 3],
+    /// Height of the ground under the body, metres.
+    pub ground: f32,
+}
+
+/// Everything a picture depends on, except its plants.
+#[derive(Clone, Debug)]
+pub struct FrameInput<'a> {
+    /// The camera.
+    pub view: View,
+    /// Ground position (x, z) of the frame origin, metres.
+    pub origin: [f64; 2],
+    /// Where shadows are wanted: a point on the ground, relative to the frame origin.
+    pub focus: Vec3,
+    /// Sun and air.
+    pub light: LightInput,
+    /// Bodies.
+    pub bodies: &'a [BodyDraw],
+    /// Seconds; moves the clouds.
+    pub time: f64,
+}
+
+/// Uniform `Frame` of `frame.wgsl`.
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct FrameUniform {
+    view_projection: Mat4,
+    shadow: Mat4,
+    right: Vec4,
+    up: Vec4,
+    forward: Vec4,
+    camera: Vec4,
+    phase: Vec4,
+    sun: Vec4,
+    sun_colour: Vec4,
+    sky: Vec4,
+    ground: Vec4,
+    relief: Vec4,
+    relief_size: [u32; 4],
+}
+
+/// The terrain's samples as the shaders address them.
+#[derive(Clone, Copy, Debug)]
+pub struct ReliefFrame {
+    /// Samples per metre in x and z, then the sample position of the frame origin.
+    pub mapping: [f32; 4],
+    /// Columns and rows.
+    pub size: [u32; 2],
+}
+
+impl FrameUniform {
+    /// Lays a frame out for a picture of `size` pixels. `shadow_reach` is the half side of the shadowed square, metres.
+    pub fn new(input: &FrameInput<'_>, relief: ReliefFrame, size: [u32; 2], shadow_reach: f32) -> Self {
+        let light = &input.light;
+        let sun = Light::new(light.azimuth, light.elevation, light.strength, light.haze, light.clouds);
+        let view = &input.view;
+        let half = (0.5 * view.field_of_view).tan();
+        let aspect = size[0].max(1) as f32 / size[1].max(1) as f32;
+        let (right, up, ahead) = (view.rotation * Vec3::X, view.rotation * Vec3::Y, view.rotation * Vec3::NEG_Z);
+        let turn = Mat4::from_rotation_translation(view.rotation, view.position).inverse();
+        let projection = Mat4::perspective_infinite_reverse_rh(view.field_of_view, aspect, 0.05);
+        let phase = DVec2::from(input.origin).rem_euclid(DVec2::splat(PATTERN_PERIOD)).as_vec2();
+        let drift = (input.time * 0.002).rem_euclid(256.0) as f32;
+        Self {
+            view_projection: projection * turn,
+            shadow: shadow_matrix(input.focus, sun.sun, shadow_reach),
+            right: (right * half * aspect).extend(2.0 * half / size[1].max(1) as f32),
+            up: (up * half).extend(input.time.rem_euclid(4096.0) as f32),
+            forward: ahead.extend(light.exposure.exp2() * EXPOSURE),
+            camera: view.position.extend(light.fog),
+            phase: Vec4::new(phase.x, phase.y, drift, 0.4 * drift),
+            sun: sun.sun.extend(light.haze),
+            sun_colour: sun.sun_colour.extend(light.clouds),
+            sky: sun.sky.extend(2.0 * shadow_reach / super::shadow::SIDE as f32),
+            ground: sun.ground.extend(1.0),
+            relief: Vec4::from(relief.mapping),
+            relief_size: [relief.size[0], relief.size[1], 0, 0],
+        }
+    }
+}
+
+/// Brings the renderer's unit to a well-exposed evening at 0 EV.
+const EXPOSURE: f32 = 1.4;
+
+/// Frame space to shadow map (xy 0..1, v down; z depth 0..1) for a sun in direction `sun`.
+fn shadow_matrix(focus: Vec3, sun: Vec3, reach: f32) -> Mat4 {
+    let right = Vec3::Y.cross(sun).normalize_or(Vec3::X);
+    let up = sun.cross(right);
+    // A low sun sees level ground foreshortened: the map need not be square in metres. Slopes and tall bodies add to it.
+    let half_up = reach * (sun.y + 0.12).min(1.0) + 4.0;
+    let texel = [2.0 * reach / super::shadow::SIDE as f32, 2.0 * half_up / super::shadow::SIDE as f32];
+    // Steps of whole texels keep the rims of shadows from crawling with the camera.
+    let snap = |value: f32, step: f32| (value / step).round() * step;
+    let centre = [snap(focus.dot(right), texel[0]), snap(focus.dot(up), texel[1]), focus.dot(sun)];
+    let depth = reach + 60.0;
+    let row = |axis: Vec3, centre: f32, half: f32, flip: f32| (axis * (flip * 0.5 / half)).extend(0.5 - flip * centre * 0.5 / half);
+    Mat4::from_cols(row(right, centre[0], reach, 1.0), row(up, centre[1], half_up, -1.0), row(sun, centre[2], depth, -1.0), Vec4::W)
+        .transpose()
+}

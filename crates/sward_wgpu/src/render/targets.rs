@@ -1,0 +1,125 @@
+//! What the main pass draws into, and the last pass from there to a display picture.
+
+use super::{COLOUR, DEPTH, SAMPLES, Slot, layout, shader};
+use crate::gpu::Gpu;
+
+/// Files of the pass's shader, after the common ones.
+pub const PARTS: [&str; 1] = [include_str!("resolve.wgsl")];
+
+/// Format of finished pictures: sRGB code values.
+pub const DISPLAY: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// Textures of one picture size.
+pub(crate) struct Targets {
+    pub(crate) size: [u32; 2],
+    colour: wgpu::TextureView,
+    depth: wgpu::TextureView,
+    bindings: wgpu::BindGroup,
+    /// The finished picture, for reading back.
+    pub(crate) display: wgpu::Texture,
+}
+
+/// The resolving pass.
+pub(crate) struct Resolve {
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+}
+
+impl Resolve {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        let device = &gpu.device;
+        let module = shader(device, "resolve", &PARTS);
+        let layout = layout(device, "resolve", &[(0, Slot::Uniform), (1, Slot::Samples)]);
+        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("resolve"),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("resolve"),
+            layout: Some(&pipeline_layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("resolve_vertex"),
+                compilation_options: Default::default(),
+                buffers: &[],
+            },
+            primitive: Default::default(),
+            depth_stencil: None,
+            multisample: Default::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("resolve_fragment"),
+                compilation_options: Default::default(),
+                targets: &[Some(DISPLAY.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        Self { pipeline, layout }
+    }
+
+    /// Makes the textures for a size.
+    pub(crate) fn targets(&self, gpu: &Gpu, frame: &wgpu::Buffer, size: [u32; 2]) -> Targets {
+        let texture = |label, format, sample_count, usage| {
+            gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: wgpu::Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
+                view_formats: &[],
+            })
+        };
+        let view = |texture: &wgpu::Texture| texture.create_view(&Default::default());
+        let colour = view(&texture("colour", COLOUR, SAMPLES, wgpu::TextureUsages::TEXTURE_BINDING));
+        let depth = view(&texture("depth", DEPTH, SAMPLES, wgpu::TextureUsages::empty()));
+        let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("resolve"),
+            layout: &self.layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&colour) },
+            ],
+        });
+        Targets { size, colour, depth, bindings, display: texture("picture", DISPLAY, 1, wgpu::TextureUsages::COPY_SRC) }
+    }
+
+    pub(crate) fn draw(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets, to: &wgpu::TextureView) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("resolve"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: to,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
+            })],
+            ..Default::default()
+        });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &targets.bindings, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}
+
+impl Targets {
+    pub(crate) fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("main"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.colour,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        })
+    }
+}
