@@ -2,6 +2,8 @@
 
 #![forbid(unsafe_code)]
 
+pub mod compute;
 pub mod gpu;
 pub mod picture;
 pub mod render;
+pub mod studio;
