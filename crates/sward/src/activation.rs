@@ -17,6 +17,8 @@ const FADE: f64 = 0.3;
 
 /// What activation of one stand goes by in one step.
 pub struct Circumstances<'a> {
+    /// Steps done before this one.
+    pub step: u64,
     /// Patches reached by swept footprints and their margin.
     pub touched: &'a BTreeSet<PatchKey>,
     /// Points the simulation cares about, m from the authored origin.
@@ -116,11 +118,11 @@ fn release(stand: &mut StandState, patch: PatchKey) {
 /// Counts rest and returns the patches that a neighbour's border pushes awake.
 fn read_summary(stand: &mut StandState, by: &Circumstances) -> BTreeSet<PatchKey> {
     let mut pushed = BTreeSet::new();
-    if stand.summaries.len() < LATENCY {
+    if stand.summaries.front().is_none_or(|(step, _)| step + LATENCY as u64 > by.step) {
         return pushed;
     }
     let limit = by.tolerance * by.tolerance;
-    for (patch, summary) in stand.summaries.pop_front().unwrap_or_default() {
+    for (patch, summary) in stand.summaries.pop_front().unwrap_or_default().1 {
         stand.counters.clamped += u64::from(summary.clamped);
         let Some(awake) = stand.awake.get_mut(&patch) else { continue };
         awake.rest = if is_over(summary.largest, limit) { 0 } else { awake.rest + 1 };

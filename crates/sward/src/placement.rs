@@ -6,6 +6,9 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::math;
 
+/// Placement in WGSL; needs `math` before it.
+pub const WGSL: &str = include_str!("placement.wgsl");
+
 /// What each hash is for; a plant asks the same question everywhere.
 mod purpose {
     pub(super) const PRESENT: u32 = 1;

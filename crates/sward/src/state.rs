@@ -47,8 +47,8 @@ pub struct StandState {
     pub free: BTreeSet<u32>,
     /// Lag slots that no patch uses, lowest first.
     pub lag_free: BTreeSet<u32>,
-    /// Summaries of past steps that activation has not read yet, oldest first.
-    pub summaries: VecDeque<Vec<(PatchKey, Summary)>>,
+    /// Summaries of past steps, with the step's number, that activation has not read yet; oldest first.
+    pub summaries: VecDeque<(u64, Vec<(PatchKey, Summary)>)>,
     /// Cells of each slot; empty where a GPU holds them.
     pub cells: Cells,
     /// Counters since the start.
@@ -86,26 +86,34 @@ pub struct Cells {
     /// Past β for the `history` lag, per lag slot: ring of [βx, βz] pairs of planes.
     pub history: Vec<Box<[f32]>>,
     /// Ground under each slot's cells; derived, kept while the patch is awake.
-    pub slopes: Vec<Slopes>,
+    pub ground: Vec<Ground>,
 }
 
-/// Slope of the ground under each cell of a patch: ∂height/∂x and ∂height/∂z planes; empty on flat ground.
+/// The ground under the cells of a patch, sampled once when it wakes: ∂height/∂x, ∂height/∂z and height \[m\], planes of cells²
+/// values; none where all ground is level.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Slopes {
-    /// 2·cells² values or none.
+pub struct Ground {
+    /// 3·cells² values or none.
     pub values: Box<[f32]>,
-    /// Steepest of them.
+    /// Steepest slope of them.
     pub steepest: f32,
+    /// Height where `values` is empty, m.
+    pub level: f32,
 }
 
-impl Slopes {
+impl Ground {
     /// Slope at a cell.
-    pub fn at(&self, cells: usize, cell: usize) -> [f32; 2] {
+    pub fn slope(&self, cells: usize, cell: usize) -> [f32; 2] {
         if self.values.is_empty() { [0.0, 0.0] } else { [self.values[cell], self.values[cells * cells + cell]] }
     }
 
-    /// Slopes of a row, or empty on flat ground.
-    pub fn row(&self, cells: usize, j: usize) -> [&[f32]; 2] {
+    /// Height at a cell, m.
+    pub fn height(&self, cells: usize, cell: usize) -> f32 {
+        if self.values.is_empty() { self.level } else { self.values[2 * cells * cells + cell] }
+    }
+
+    /// Slopes of a row, or empty on level ground.
+    pub fn slope_row(&self, cells: usize, j: usize) -> [&[f32]; 2] {
         if self.values.is_empty() {
             return [&[], &[]];
         }

@@ -115,11 +115,25 @@ impl World {
         summaries
     }
 
-    /// Ends a step: files what each stand's patches reported.
+    /// Ends a step and files what each stand's patches reported.
     pub fn finish(&mut self, summaries: Vec<Vec<(PatchKey, Summary)>>) {
+        let step = self.state.step;
+        self.file(step, summaries);
+        self.end_step();
+    }
+
+    /// Files the summaries of step number `step`. A backend that learns them late may file them up to
+    /// [`crate::activation::LATENCY`] steps after; steps in order.
+    pub fn file(&mut self, step: u64, summaries: Vec<Vec<(PatchKey, Summary)>>) {
         for (stand, summary) in self.state.stands.iter_mut().zip(summaries) {
-            stand.counters.patch_steps += summary.len() as u64;
-            stand.summaries.push_back(summary);
+            stand.summaries.push_back((step, summary));
+        }
+    }
+
+    /// Counts a step as done, for a backend that files its summaries itself.
+    pub fn end_step(&mut self) {
+        for stand in &mut self.state.stands {
+            stand.counters.patch_steps += stand.awake.len() as u64;
         }
         self.state.step += 1;
     }
@@ -216,6 +230,7 @@ impl World {
         }
         let budget = &self.scene.budget;
         let by = Circumstances {
+            step: self.state.step,
             touched: &touched,
             focuses: &self.state.focuses,
             in_view: &|patch| camera.sees(patch, self.model.patch_side),

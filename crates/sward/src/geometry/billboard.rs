@@ -5,6 +5,9 @@
 
 use crate::math;
 
+/// The spine in WGSL; needs `math` before it.
+pub const WGSL: &str = include_str!("billboard.wgsl");
+
 /// Height by which a joint clears the ground, m.
 pub const CLEARANCE: f32 = 1e-3;
 

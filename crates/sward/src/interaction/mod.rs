@@ -8,6 +8,9 @@ mod convex;
 mod motion;
 mod piece;
 
+/// Contact of one cell in WGSL; the host declares `contact_edge(index: u32) -> ContactEdge`. Needs `math` before it.
+pub const WGSL: &str = include_str!("contact.wgsl");
+
 pub use contact::{Contact, ContactEdge, Hit, contact_at};
 pub use convex::{Footprint, Grid, swept};
 pub use motion::{Pose, pose_on_path, stand as stand_on};

@@ -12,10 +12,14 @@ mod propagate;
 mod rest;
 mod step;
 
+/// The functions of this response in WGSL, in the order they need each other; they need `math`, `wind` and `contact` before them.
+pub const WGSL: [&str; 4] =
+    [include_str!("bend.wgsl"), include_str!("propagate.wgsl"), include_str!("rest.wgsl"), include_str!("lag.wgsl")];
+
 pub use bend::{Held, contact, push};
 pub use coefficients::{Coefficients, HALF_PI, RATE_LIMIT, REST, SMALLEST_LIMIT, bend_limit, safe_limit};
 pub use lag::{LagCoefficients, cascade, from_history, look_up_offset};
 pub use patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
 pub use propagate::{Planes, RowInput, RowPeak, deviation, fade_row, keep_held, limit_row, propagate_row};
 pub use rest::{NODE_CELLS, Rest};
-pub use step::{lags, step};
+pub use step::{ground_of, lags, step};

@@ -9,7 +9,7 @@ use super::propagate::{RowInput, RowPeak, deviation, fade_row, keep_held, limit_
 use super::rest::Rest;
 use crate::activation::BAND;
 use crate::interaction::{Contact, ContactEdge, contact_at};
-use crate::state::{Slopes, Summary};
+use crate::state::{Ground, Summary};
 
 /// Contacts that reach a patch.
 pub struct PatchContacts<'a> {
@@ -17,8 +17,6 @@ pub struct PatchContacts<'a> {
     pub contacts: &'a [(Contact, [i32; 2])],
     /// Edge list of the step.
     pub edges: &'a [ContactEdge],
-    /// Terrain height at a cell centre, m.
-    pub ground: &'a (dyn Fn(i32, i32) -> f32 + Sync),
 }
 
 /// Bends the cells under bodies. `now` and `old` are the patch's two time levels; held cells get 1 in `held`.
@@ -26,7 +24,7 @@ pub fn touch_patch(
     co: &Coefficients,
     cells: usize,
     by: &PatchContacts,
-    slopes: &Slopes,
+    ground: &Ground,
     now: &mut [f32],
     old: &mut [f32],
     held: &mut [u8],
@@ -48,10 +46,10 @@ pub fn touch_patch(
                 let edges = &by.edges[contact.edge_first as usize..][..contact.edge_count as usize];
                 let (u, v) = (i - corner[0], j - corner[1]);
                 let covered = u >= 0 && v >= 0 && u < contact.size[0] && v < contact.size[1];
-                if covered { contact_at(contact, edges, [u, v], (by.ground)(i, j), co.plant_height) } else { None }
+                if covered { contact_at(contact, edges, [u, v], ground.height(cells, cell), co.plant_height) } else { None }
             });
             let bend = [now[cell], now[area + cell]];
-            if let Some(next) = bend::contact(co, bend, slopes.at(cells, cell), hits) {
+            if let Some(next) = bend::contact(co, bend, ground.slope(cells, cell), hits) {
                 held[cell] = 1;
                 for (plane, value) in [next.bend[0], next.bend[1], next.rate[0], next.rate[1]].into_iter().enumerate() {
                     now[plane * area + cell] = value;
@@ -71,7 +69,7 @@ pub struct Wave<'a> {
     /// β_eq.
     pub rest: &'a Rest,
     /// Ground.
-    pub slopes: &'a Slopes,
+    pub ground: &'a Ground,
     /// |β| below which no limit can bind, rad.
     pub safe_limit: f32,
     /// 1 where a body holds a cell; empty if none.
@@ -181,7 +179,7 @@ pub fn step_patch(co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32],
         let peak: RowPeak = propagate_row(co, &input, &mut next);
         keep_held(&input, &mut next);
         if peak.bend > safe[0] || peak.rate > safe[1] {
-            clamped += limit_row(&mut next, wave.slopes.row(cells, j), held);
+            clamped += limit_row(&mut next, wave.ground.slope_row(cells, j), held);
         }
         if wave.keep < 1.0 {
             fade_row(&mut next, rest, wave.keep);

@@ -11,7 +11,7 @@ use crate::interaction::Contact;
 use crate::lanes::Lanes;
 use crate::model::{Model, StandModel};
 use crate::plan::{PatchPlan, StandPlan};
-use crate::state::{Cells, NONE, PatchKey, Slopes, Summary};
+use crate::state::{Cells, Ground, NONE, PatchKey, Summary};
 
 /// One awake patch at work.
 struct Task<'a> {
@@ -32,55 +32,52 @@ fn each<T: Send, R: Send>(tasks: Vec<T>, work: impl Fn(T) -> R + Sync + Send) ->
 fn with_levels<'a, 'b>(
     tasks: &'a mut [Task<'b>],
     cells: &'a mut Cells,
-) -> Vec<(&'a mut Task<'b>, &'a mut [f32], &'a mut [f32], &'a mut Slopes)> {
+) -> Vec<(&'a mut Task<'b>, &'a mut [f32], &'a mut [f32], &'a mut Ground)> {
     let mut order: Vec<&mut Task> = tasks.iter_mut().collect();
     order.sort_by_key(|task| task.plan.slot);
     let mut order = order.into_iter().peekable();
-    let levels = cells.now.iter_mut().zip(&mut cells.old).zip(&mut cells.slopes).enumerate();
+    let levels = cells.now.iter_mut().zip(&mut cells.old).zip(&mut cells.ground).enumerate();
     let mut paired = Vec::new();
-    for (slot, ((now, old), slopes)) in levels {
+    for (slot, ((now, old), ground)) in levels {
         if order.peek().is_some_and(|task| task.plan.slot as usize == slot)
             && let Some(task) = order.next()
         {
-            paired.push((task, &mut now[..], &mut old[..], slopes));
+            paired.push((task, &mut now[..], &mut old[..], ground));
         }
     }
     paired
 }
 
-/// Ground under the cells of a patch.
-pub(crate) fn slopes_of(model: &Model, stand: &StandModel, patch: PatchKey) -> Slopes {
-    if model.terrain.is_flat() {
-        return Slopes::default();
-    }
+/// The ground under the cells of a patch: the numbers every backend uses for limits and contact.
+pub fn ground_of(model: &Model, stand: &StandModel, patch: PatchKey) -> Ground {
     let anchor = model.terrain.anchor(patch.map(|p| f64::from(p) * model.patch_side));
+    if model.terrain.is_flat() {
+        return Ground { values: Box::default(), steepest: 0.0, level: model.terrain.height(anchor, [0.0, 0.0]) };
+    }
     let cells = stand.cells as usize;
     let area = cells * cells;
-    let mut values = vec![0.0; 2 * area].into_boxed_slice();
+    let mut values = vec![0.0; 3 * area].into_boxed_slice();
     let mut steepest = 0.0_f32;
     for cell in 0..area {
         let centre = [cell % cells, cell / cells].map(|k| (k as f32 + 0.5) * stand.spacing as f32);
-        let [x, z] = model.terrain.gradient(anchor, centre);
-        (values[cell], values[area + cell]) = (x, z);
+        let (height, [x, z]) = model.terrain.height_and_gradient(anchor, centre);
+        (values[cell], values[area + cell], values[2 * area + cell]) = (x, z, height);
         let steep = (x * x + z * z).sqrt();
         steepest = if steep > steepest { steep } else { steepest };
     }
-    Slopes { values, steepest }
+    Ground { values, steepest, level: 0.0 }
 }
 
-fn touch(model: &Model, stand: &StandModel, plan: &StandPlan, task: &mut Task, levels: (&mut [f32], &mut [f32]), slopes: &Slopes) {
+fn touch(stand: &StandModel, plan: &StandPlan, task: &mut Task, levels: (&mut [f32], &mut [f32]), ground: &Ground) {
     let cells = stand.cells as usize;
     let contacts: Vec<(Contact, [i32; 2])> =
         plan.pairs[task.plan.pairs.clone()].iter().map(|pair| (plan.contacts[pair.contact as usize], pair.corner)).collect();
     if contacts.is_empty() {
         return;
     }
-    let anchor = model.terrain.anchor(task.plan.patch.map(|p| f64::from(p) * model.patch_side));
-    let centre = |k: i32| (k as f32 + 0.5) * stand.spacing as f32;
-    let ground = |i: i32, j: i32| model.terrain.height(anchor, [centre(i), centre(j)]);
     task.held = vec![0; cells * cells];
-    let by = PatchContacts { contacts: &contacts, edges: &plan.edges, ground: &ground };
-    touch_patch(&stand.coefficients, cells, &by, slopes, levels.0, levels.1, &mut task.held);
+    let by = PatchContacts { contacts: &contacts, edges: &plan.edges };
+    touch_patch(&stand.coefficients, cells, &by, ground, levels.0, levels.1, &mut task.held);
 }
 
 /// Makes room for the slots a plan names.
@@ -90,7 +87,7 @@ fn reserve(cells: &mut Cells, plan: &StandPlan, area: usize) {
         while cells.now.len() <= patch.slot as usize {
             cells.now.push(empty());
             cells.old.push(empty());
-            cells.slopes.push(Slopes::default());
+            cells.ground.push(Ground::default());
         }
     }
 }
@@ -105,16 +102,16 @@ pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cel
         rest: Rest::of(&plan.wind, patch.patch, stand.cells, k_w),
         held: Vec::new(),
     });
-    each(with_levels(&mut tasks, cells), |(task, now, old, slopes)| {
+    each(with_levels(&mut tasks, cells), |(task, now, old, ground)| {
         if task.plan.woken {
             wake_patch(side, &task.rest, now, old);
-            *slopes = slopes_of(model, stand, task.plan.patch);
+            *ground = ground_of(model, stand, task.plan.patch);
         }
-        touch(model, stand, plan, task, (now, old), slopes);
+        touch(stand, plan, task, (now, old), ground);
     });
     let mut summaries = Vec::new();
     for substep in 0..stand.substeps {
-        let (now, slopes) = (&cells.now, &cells.slopes);
+        let (now, ground) = (&cells.now, &cells.ground);
         let mut olds: Vec<Option<&mut Box<[f32]>>> = cells.old.iter_mut().map(Some).collect();
         let work: Vec<(&Task, &mut Box<[f32]>)> =
             tasks.iter().filter_map(|task| olds[task.plan.slot as usize].take().map(|old| (task, old))).collect();
@@ -125,8 +122,8 @@ pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cel
                 now: &now[slot],
                 neighbours: [0, 1, 2, 3].map(|side| task.plan.neighbour(side).map(|slot| &now[slot][..])),
                 rest: &task.rest,
-                slopes: &slopes[slot],
-                safe_limit: safe_limit(slopes[slot].steepest),
+                ground: &ground[slot],
+                safe_limit: safe_limit(ground[slot].steepest),
                 held: &task.held,
                 keep: if last { task.plan.keep } else { 1.0 },
             };
