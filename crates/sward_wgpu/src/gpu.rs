@@ -43,6 +43,18 @@ pub enum GpuError {
         /// What the driver said.
         reason: String,
     },
+    /// The budget asks for more cells than one buffer can bind.
+    #[error(
+        "{slots} awake patches of {cells}×{cells} cells do not fit one buffer of this device; it holds {most}. Lower budget.patches or the stand's cells"
+    )]
+    TooManyCells {
+        /// Patches asked for.
+        slots: u32,
+        /// Cells per patch side.
+        cells: u32,
+        /// Patches that fit.
+        most: u32,
+    },
     /// The device reported errors while working.
     #[error("the graphics device reported: {0}")]
     Device(String),

@@ -1,0 +1,154 @@
+//! The cells of one stand on the GPU. Buffers grow with the number of slots in use, never with the terrain.
+
+use sward::model::StandModel;
+use sward::state::{Awake, Cells, NONE, StandState};
+
+use crate::gpu::{Gpu, GpuError};
+
+/// Two time levels, upper segments, ground and wind nodes of one stand.
+pub struct CellBuffers {
+    cells: u32,
+    upper_planes: u32,
+    ring_planes: u32,
+    /// Slots there is room for.
+    slots: u32,
+    lag_slots: u32,
+    /// Time level n; 4·cells² values a slot.
+    pub now: wgpu::Buffer,
+    /// Time level n−1.
+    pub old: wgpu::Buffer,
+    /// Slope x, slope z, height; 3·cells² values a slot.
+    pub ground: wgpu::Buffer,
+    /// β_eq at wind nodes; (cells/2 + 3)² vectors a slot.
+    pub nodes: wgpu::Buffer,
+    /// Upper segments; 2(n−1)·cells² values a lag slot.
+    pub upper: wgpu::Buffer,
+    /// Ring of past β for the `history` lag.
+    pub past: wgpu::Buffer,
+}
+
+fn storage(gpu: &Gpu, label: &str, floats: u64) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: floats.max(4) * 4,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    })
+}
+
+impl CellBuffers {
+    /// Empty buffers for a stand.
+    pub fn new(gpu: &Gpu, stand: &StandModel) -> Self {
+        let lag = &stand.lag;
+        let empty = || storage(gpu, "empty", 0);
+        Self {
+            cells: stand.cells,
+            upper_planes: 2 * (lag.segments - 1),
+            ring_planes: if lag.kind == 1 && lag.segments > 1 { 2 * lag.ring } else { 0 },
+            slots: 0,
+            lag_slots: 0,
+            now: empty(),
+            old: empty(),
+            ground: empty(),
+            nodes: empty(),
+            upper: empty(),
+            past: empty(),
+        }
+    }
+
+    fn area(&self) -> u64 {
+        u64::from(self.cells) * u64::from(self.cells)
+    }
+
+    /// Makes room for the slots that `state` uses, keeping what is stored. True if buffers were replaced.
+    ///
+    /// # Errors
+    /// More cells than one buffer of this device can bind.
+    pub fn reserve(&mut self, gpu: &Gpu, state: &StandState, level: bool) -> Result<bool, GpuError> {
+        let most = |pick: fn(&Awake) -> u32| state.awake.values().map(pick).filter(|slot| *slot != NONE).max().map_or(0, |slot| slot + 1);
+        let (slots, lag_slots) = (most(|awake| awake.slot), most(|awake| awake.lag));
+        if slots <= self.slots && lag_slots <= self.lag_slots {
+            return Ok(false);
+        }
+        let limit = u64::from(gpu.device.limits().max_storage_buffer_binding_size) / 4;
+        let room = |wanted: u32, have: u32, floats: u64| {
+            let fits = limit.checked_div(floats).map_or(u32::MAX, |slots| slots.min(u64::from(u32::MAX)) as u32);
+            if wanted > fits { None } else { Some(wanted.next_power_of_two().max(have).min(fits)) }
+        };
+        let widest = 4 * self.area();
+        let lag_widest = u64::from(self.upper_planes.max(self.ring_planes)) * self.area();
+        let (Some(slots), Some(lag_slots)) = (room(slots, self.slots, widest), room(lag_slots, self.lag_slots, lag_widest)) else {
+            return Err(GpuError::TooManyCells { slots, cells: self.cells, most: (limit / widest) as u32 });
+        };
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let mut grow = |buffer: &mut wgpu::Buffer, label: &str, have: u64, want: u64| {
+            if want > have {
+                let larger = storage(gpu, label, want);
+                if have > 0 {
+                    encoder.copy_buffer_to_buffer(buffer, 0, &larger, 0, Some(have * 4));
+                }
+                *buffer = larger;
+            }
+        };
+        let area = u64::from(self.cells) * u64::from(self.cells);
+        let nodes = u64::from(self.cells / 2 + 3) * u64::from(self.cells / 2 + 3) * 2;
+        let (have, want) = (u64::from(self.slots), u64::from(slots));
+        grow(&mut self.now, "cells now", have * 4 * area, want * 4 * area);
+        grow(&mut self.old, "cells before", have * 4 * area, want * 4 * area);
+        grow(&mut self.nodes, "rest at wind nodes", have * nodes, want * nodes);
+        if !level {
+            grow(&mut self.ground, "ground under cells", have * 3 * area, want * 3 * area);
+        }
+        let (have, want) = (u64::from(self.lag_slots), u64::from(lag_slots));
+        let (upper, ring) = (u64::from(self.upper_planes) * area, u64::from(self.ring_planes) * area);
+        grow(&mut self.upper, "upper segments", have * upper, want * upper);
+        grow(&mut self.past, "past bend", have * ring, want * ring);
+        gpu.queue.submit([encoder.finish()]);
+        (self.slots, self.lag_slots) = (slots, lag_slots);
+        Ok(true)
+    }
+
+    /// The two time levels change roles.
+    pub fn swap(&mut self) {
+        std::mem::swap(&mut self.now, &mut self.old);
+    }
+
+    /// Writes the cells of awake patches that the CPU holds.
+    pub fn upload(&self, gpu: &Gpu, state: &StandState) {
+        let write = |buffer: &wgpu::Buffer, values: Option<&Box<[f32]>>, slot: u32| {
+            if let Some(values) = values.filter(|values| !values.is_empty()) {
+                gpu.queue.write_buffer(buffer, u64::from(slot) * values.len() as u64 * 4, bytemuck::cast_slice(values));
+            }
+        };
+        for awake in state.awake.values() {
+            let (slot, lag) = (awake.slot as usize, awake.lag as usize);
+            write(&self.now, state.cells.now.get(slot), awake.slot);
+            write(&self.old, state.cells.old.get(slot), awake.slot);
+            write(&self.ground, state.cells.ground.get(slot).map(|ground| &ground.values), awake.slot);
+            write(&self.upper, state.cells.lag.get(lag), awake.lag);
+            write(&self.past, state.cells.history.get(lag), awake.lag);
+        }
+    }
+
+    /// Reads all slots back into `cells`.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn download(&self, gpu: &Gpu, cells: &mut Cells) -> Result<(), GpuError> {
+        let split = |values: Vec<f32>, floats: u64| -> Vec<Box<[f32]>> {
+            if floats == 0 { Vec::new() } else { values.chunks_exact(floats as usize).map(Into::into).collect() }
+        };
+        let area = self.area();
+        let (upper, ring) = (u64::from(self.upper_planes) * area, u64::from(self.ring_planes) * area);
+        let read = |buffer: &wgpu::Buffer, slots: u32, floats: u64| -> Result<Vec<Box<[f32]>>, GpuError> {
+            Ok(split(super::readback::read(gpu, buffer, u64::from(slots) * floats * 4)?, floats))
+        };
+        cells.now = read(&self.now, self.slots, 4 * area)?;
+        cells.old = read(&self.old, self.slots, 4 * area)?;
+        cells.lag = read(&self.upper, self.lag_slots, upper)?;
+        cells.history = read(&self.past, self.lag_slots, ring)?;
+        cells.history.resize(cells.lag.len(), Box::default());
+        cells.ground.resize(cells.now.len(), Default::default());
+        Ok(())
+    }
+}

@@ -1,0 +1,133 @@
+//! A plan as the compute passes read it.
+
+use bytemuck::{Pod, Zeroable};
+use sward::model::StandModel;
+use sward::plan::{PatchPlan, StandPlan};
+use sward::response::continuum::{Coefficients, LagCoefficients, NODE_CELLS};
+use sward::state::NONE;
+use sward::wind::equilibrium;
+use sward::world::World;
+
+/// `Stand` of `step.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct StandUniform {
+    /// Kernel numbers.
+    pub coefficients: Coefficients,
+    /// Kernel numbers of upper segments.
+    pub lag: LagCoefficients,
+    /// Cells per patch side.
+    pub cells: u32,
+    /// Wind nodes a row.
+    pub nodes: u32,
+    /// 1: β_eq comes from nodes.
+    pub gusty: u32,
+    /// 1: all ground is level.
+    pub level: u32,
+    /// β_eq where it is the same everywhere, rad.
+    pub rest: [f32; 2],
+    /// k_w.
+    pub wind_response: f32,
+    /// Height of level ground, m.
+    pub height: f32,
+    /// Place of this step in the ring of `history`.
+    pub frame: u32,
+    /// Cell side, m.
+    pub spacing: f32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: [f32; 2],
+}
+
+impl StandUniform {
+    /// Numbers of one stand in one step.
+    pub fn new(world: &World, stand: &StandModel, plan: &StandPlan, step: u64) -> Self {
+        let k_w = stand.species.continuum.wind;
+        let gusty = !plan.wind.octaves.is_empty() && k_w != 0.0;
+        Self {
+            coefficients: stand.coefficients,
+            lag: stand.lag,
+            cells: stand.cells,
+            nodes: stand.cells / NODE_CELLS + 3,
+            gusty: u32::from(gusty),
+            level: u32::from(world.model.terrain.is_flat()),
+            rest: equilibrium(plan.wind.mean, k_w),
+            wind_response: k_w,
+            height: world.model.terrain.height_at(0.0, 0.0) as f32,
+            frame: (step % u64::from(stand.lag.ring)) as u32,
+            spacing: stand.spacing as f32,
+            unused: [0.0; 2],
+        }
+    }
+}
+
+/// `AwakePatch` of `step.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct AwakePatch {
+    /// Where its cells are.
+    pub slot: u32,
+    /// Where its upper segments are, or none.
+    pub lag: u32,
+    /// Index of its held mask, or none.
+    pub held: u32,
+    /// 1: its upper segments are new.
+    pub flags: u32,
+    /// Slots of the neighbours along −x, +x, −z, +z, or none.
+    pub neighbours: [u32; 4],
+    /// Which patch.
+    pub patch: [i32; 2],
+    /// First word of its pairs.
+    pub pair_first: u32,
+    /// Number of its pairs.
+    pub pair_count: u32,
+    /// Share of its deviation it keeps.
+    pub keep: f32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: [u32; 3],
+}
+
+/// The patches of each pass.
+pub struct Entries {
+    /// All awake patches.
+    pub awake: Vec<AwakePatch>,
+    /// Those that wake in this step.
+    pub woken: Vec<AwakePatch>,
+    /// Those under footprints.
+    pub touched: Vec<AwakePatch>,
+    /// Those that keep upper segments.
+    pub lagged: Vec<AwakePatch>,
+}
+
+impl Entries {
+    /// The lists of a plan.
+    pub fn of(plan: &StandPlan) -> Self {
+        let pairs = 2 * plan.edges.len();
+        let mut held = 0;
+        let entry = |patch: &PatchPlan| {
+            let touched = !patch.pairs.is_empty();
+            held += u32::from(touched);
+            AwakePatch {
+                slot: patch.slot,
+                lag: patch.lag,
+                held: if touched { held - 1 } else { NONE },
+                flags: u32::from(patch.lag_woken),
+                neighbours: patch.neighbours,
+                patch: patch.patch,
+                pair_first: (pairs + patch.pairs.start) as u32,
+                pair_count: patch.pairs.len() as u32,
+                keep: patch.keep,
+                unused: [0; 3],
+            }
+        };
+        let awake: Vec<AwakePatch> = plan.patches.iter().map(entry).collect();
+        let pick = |keep: &dyn Fn(&PatchPlan) -> bool| {
+            plan.patches.iter().zip(&awake).filter(|(patch, _)| keep(patch)).map(|(_, entry)| *entry).collect()
+        };
+        Self {
+            woken: pick(&|patch| patch.woken),
+            touched: pick(&|patch| !patch.pairs.is_empty()),
+            lagged: pick(&|patch| patch.lag != NONE),
+            awake,
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! The step on the GPU: the same plan, the same kernels, cells that never leave the device.
+//!
+//! Planning (bodies, wind phases, activation) stays on the CPU; the response runs as compute passes. What activation needs to know
+//! of a step comes back [`sward::activation::LATENCY`] steps later, so nothing waits for the GPU within a step.
+
+pub mod buffers;
+pub mod entries;
+pub mod passes;
+pub mod readback;
+
+use std::collections::VecDeque;
+
+use sward::activation::LATENCY;
+use sward::plan::StandPlan;
+use sward::response::continuum::ground_of;
+use sward::state::{PatchKey, Summary};
+use sward::world::World;
+
+use crate::gpu::{Gpu, GpuError};
+use buffers::CellBuffers;
+use entries::{Entries, StandUniform};
+use passes::{Passes, StepBuffers};
+use readback::Readback;
+
+/// A summary on its way to the CPU, stand by stand.
+struct Pending {
+    step: u64,
+    submission: wgpu::SubmissionIndex,
+    stands: Vec<(Vec<PatchKey>, Readback)>,
+}
+
+/// What the GPU did so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Compute dispatches.
+    pub dispatches: u64,
+    /// Invocations (cells, wind nodes).
+    pub invocations: u64,
+    /// Bytes handed over.
+    pub uploaded: u64,
+}
+
+/// The cells of a world, held and stepped on the GPU; planning stays in the [`World`].
+pub struct GpuStep {
+    passes: Passes,
+    stands: Vec<CellBuffers>,
+    pending: VecDeque<Pending>,
+    /// Counters since the start.
+    pub work: Work,
+}
+
+impl GpuStep {
+    /// Makes buffers and pipelines for a world and takes over the cells it holds.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn new(gpu: &Gpu, world: &World) -> Result<Self, GpuError> {
+        let mut step = Self { passes: Passes::new(gpu), stands: Vec::new(), pending: VecDeque::new(), work: Work::default() };
+        for (stand, state) in world.model.stands.iter().zip(&world.state.stands) {
+            let mut buffers = CellBuffers::new(gpu, stand);
+            buffers.reserve(gpu, state, world.model.terrain.is_flat())?;
+            buffers.upload(gpu, state);
+            step.stands.push(buffers);
+        }
+        gpu.check()?;
+        Ok(step)
+    }
+
+    /// The cells of a stand, for drawing.
+    pub fn cells(&self, stand: usize) -> Option<&CellBuffers> {
+        self.stands.get(stand)
+    }
+
+    /// One fixed step: plans on the CPU, moves the cells on the GPU.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn step(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
+        self.collect(gpu, world, LATENCY - 1)?;
+        let plan = world.plan();
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let mut stands = Vec::new();
+        for (index, stand) in plan.stands.iter().enumerate() {
+            self.respond(gpu, world, index, stand, plan.step, &mut encoder, &mut stands)?;
+        }
+        let submission = gpu.queue.submit([encoder.finish()]);
+        self.pending.push_back(Pending { step: plan.step, submission, stands });
+        world.end_step();
+        gpu.check()
+    }
+
+    /// Copies all awake cells and upper segments into `world.state`, as if the CPU had stepped.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn download(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
+        self.collect(gpu, world, 0)?;
+        let World { model, state, .. } = world;
+        for ((buffers, stand), state) in self.stands.iter().zip(&model.stands).zip(&mut state.stands) {
+            buffers.download(gpu, &mut state.cells)?;
+            for (patch, awake) in &state.awake {
+                if let Some(ground) = state.cells.ground.get_mut(awake.slot as usize) {
+                    *ground = ground_of(model, stand, *patch);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Files summaries until at most `left` are on their way.
+    fn collect(&mut self, gpu: &Gpu, world: &mut World, left: usize) -> Result<(), GpuError> {
+        while self.pending.len() > left {
+            let Some(pending) = self.pending.pop_front() else { break };
+            let mut filed = Vec::new();
+            for (patches, readback) in pending.stands {
+                let values: Vec<u32> = readback.take(gpu, &pending.submission)?;
+                let summary = |bits: &[u32]| Summary {
+                    largest: f32::from_bits(bits[0]),
+                    borders: [1, 2, 3, 4].map(|k| f32::from_bits(bits[k])),
+                    clamped: bits[5],
+                };
+                filed.push(patches.into_iter().zip(values.chunks_exact(6).map(summary)).collect());
+            }
+            world.file(pending.step, filed);
+        }
+        Ok(())
+    }
+
+    /// Records the passes of one stand.
+    fn respond(
+        &mut self,
+        gpu: &Gpu,
+        world: &World,
+        index: usize,
+        plan: &StandPlan,
+        step: u64,
+        encoder: &mut wgpu::CommandEncoder,
+        stands: &mut Vec<(Vec<PatchKey>, Readback)>,
+    ) -> Result<(), GpuError> {
+        let (stand, state) = (&world.model.stands[index], &world.state.stands[index]);
+        let cells = &mut self.stands[index];
+        let level = world.model.terrain.is_flat();
+        cells.reserve(gpu, state, level)?;
+        for patch in plan.patches.iter().filter(|patch| patch.woken && !level) {
+            let ground = ground_of(&world.model, stand, patch.patch);
+            let bytes = bytemuck::cast_slice(&ground.values);
+            gpu.queue.write_buffer(&cells.ground, u64::from(patch.slot) * bytes.len() as u64, bytes);
+            self.work.uploaded += bytes.len() as u64;
+        }
+        let entries = Entries::of(plan);
+        let uniform = StandUniform::new(world, stand, plan, step);
+        let buffers = StepBuffers::new(gpu, stand, plan, &entries, &uniform, &mut self.work);
+        self.passes.record(gpu, encoder, stand, &entries, &buffers, cells, &mut self.work);
+        let bytes = plan.patches.len() as u64 * 24;
+        let patches = plan.patches.iter().map(|patch| patch.patch).collect();
+        stands.push((patches, Readback::record(gpu, encoder, &buffers.summary, bytes)));
+        Ok(())
+    }
+}

@@ -1,0 +1,206 @@
+//! The compute pipelines and the buffers that live for one step.
+
+use sward::model::StandModel;
+use sward::plan::StandPlan;
+use wgpu::util::DeviceExt;
+
+use super::Work;
+use super::buffers::CellBuffers;
+use super::entries::{AwakePatch, Entries, StandUniform};
+use crate::gpu::Gpu;
+
+/// The full text of the compute shader.
+pub fn assembled() -> String {
+    let band = format!("const SUMMARY_BAND: u32 = {}u;", sward::activation::BAND);
+    let mut parts = vec![sward::math::WGSL.to_owned()];
+    parts.push(sward::wind::WGSL.to_owned());
+    parts.push(sward::interaction::WGSL.to_owned());
+    parts.extend(sward::response::continuum::WGSL.iter().map(|part| (*part).to_owned()));
+    parts.push(band);
+    parts.push(include_str!("step.wgsl").to_owned());
+    parts.join("\n")
+}
+
+/// One pipeline and the bindings its entry point uses.
+struct Pass {
+    label: &'static str,
+    pipeline: wgpu::ComputePipeline,
+    bindings: &'static [u32],
+}
+
+impl Pass {
+    fn new(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &'static str, last: bool, bindings: &'static [u32]) -> Self {
+        let constants = [("last_substep", f64::from(u8::from(last)))];
+        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(entry),
+            layout: None,
+            module,
+            entry_point: Some(entry),
+            compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
+            cache: None,
+        });
+        Self { label: entry, pipeline, bindings }
+    }
+
+    fn run(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, bound: &[(u32, &wgpu::Buffer)], groups: [u32; 3], work: &mut Work) {
+        if groups[2] == 0 {
+            return;
+        }
+        let entries: Vec<wgpu::BindGroupEntry> = bound
+            .iter()
+            .filter(|(binding, _)| self.bindings.contains(binding))
+            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: *binding, resource: buffer.as_entire_binding() })
+            .collect();
+        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(self.label),
+            layout: &self.pipeline.get_bind_group_layout(0),
+            entries: &entries,
+        });
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(self.label), timestamp_writes: None });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups(groups[0], groups[1], groups[2]);
+        work.dispatches += 1;
+        work.invocations += 64 * groups.map(u64::from).iter().product::<u64>();
+    }
+}
+
+/// All passes of a step.
+pub struct Passes {
+    rest: Pass,
+    wake: Pass,
+    contact: Pass,
+    wave: Pass,
+    last_wave: Pass,
+    lag: Pass,
+    tile: wgpu::Buffer,
+}
+
+impl Passes {
+    /// Builds the pipelines.
+    pub fn new(gpu: &Gpu) -> Self {
+        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("step"),
+            source: wgpu::ShaderSource::Wgsl(assembled().into()),
+        });
+        let tile = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("wind tile"),
+            contents: bytemuck::cast_slice(sward::wind::Tile::shipped().texels()),
+            usage: wgpu::BufferUsages::STORAGE,
+        });
+        let pass = |entry, bindings| Pass::new(gpu, &module, entry, true, bindings);
+        Self {
+            rest: pass("rest_pass", &[0, 1, 2, 7, 8]),
+            wake: pass("wake_pass", &[0, 2, 3, 4, 7]),
+            contact: pass("contact_pass", &[0, 2, 3, 4, 5, 6, 9, 10]),
+            wave: Pass::new(gpu, &module, "wave_pass", false, &[0, 2, 3, 4, 5, 6, 7, 11]),
+            last_wave: pass("wave_pass", &[0, 2, 3, 4, 5, 6, 7, 11]),
+            lag: pass("lag_pass", &[0, 2, 3, 12, 13]),
+            tile,
+        }
+    }
+
+    /// Records one step of a stand; `cells.now` is one step on when it has run.
+    pub fn record(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        stand: &StandModel,
+        entries: &Entries,
+        step: &StepBuffers,
+        cells: &mut CellBuffers,
+        work: &mut Work,
+    ) {
+        let side = stand.cells / 8;
+        let nodes = (stand.cells / 2 + 3).div_ceil(8);
+        let count = |list: &[AwakePatch]| list.len() as u32;
+        let mut run = |pass: &Pass, patches: &wgpu::Buffer, cells: &CellBuffers, groups: [u32; 3]| {
+            let bound = [
+                (0, &step.stand),
+                (1, &step.wind),
+                (2, patches),
+                (3, &cells.now),
+                (4, &cells.old),
+                (5, &cells.ground),
+                (6, &step.held),
+                (7, &cells.nodes),
+                (8, &self.tile),
+                (9, &step.contacts),
+                (10, &step.words),
+                (11, &step.summary),
+                (12, &cells.upper),
+                (13, &cells.past),
+            ];
+            pass.run(gpu, encoder, &bound, groups, work);
+        };
+        if step.gusty {
+            run(&self.rest, &step.awake, cells, [nodes, nodes, count(&entries.awake)]);
+        }
+        run(&self.wake, &step.woken, cells, [side, side, count(&entries.woken)]);
+        run(&self.contact, &step.touched, cells, [side, side, count(&entries.touched)]);
+        for substep in 0..stand.substeps {
+            let last = substep + 1 == stand.substeps;
+            run(if last { &self.last_wave } else { &self.wave }, &step.awake, cells, [side, side, count(&entries.awake)]);
+            cells.swap();
+        }
+        if stand.lag.segments > 1 {
+            run(&self.lag, &step.lagged, cells, [side, side, count(&entries.lagged)]);
+        }
+    }
+}
+
+/// What one step hands to the GPU.
+pub struct StepBuffers {
+    stand: wgpu::Buffer,
+    wind: wgpu::Buffer,
+    awake: wgpu::Buffer,
+    woken: wgpu::Buffer,
+    touched: wgpu::Buffer,
+    lagged: wgpu::Buffer,
+    held: wgpu::Buffer,
+    contacts: wgpu::Buffer,
+    words: wgpu::Buffer,
+    gusty: bool,
+    /// Six values a patch.
+    pub summary: wgpu::Buffer,
+}
+
+impl StepBuffers {
+    /// Uploads a plan.
+    pub fn new(gpu: &Gpu, stand: &StandModel, plan: &StandPlan, entries: &Entries, uniform: &StandUniform, work: &mut Work) -> Self {
+        let mut filled = |label: &str, bytes: &[u8], usage: wgpu::BufferUsages| {
+            work.uploaded += bytes.len() as u64;
+            let padding = [0; 96];
+            let contents = if bytes.is_empty() { &padding } else { bytes };
+            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+        };
+        let storage = wgpu::BufferUsages::STORAGE;
+        let mut words: Vec<u8> = bytemuck::cast_slice(&plan.edges).to_vec();
+        for pair in &plan.pairs {
+            words.extend_from_slice(bytemuck::bytes_of(&[pair.contact as i32, pair.corner[0], pair.corner[1], 0]));
+        }
+        let empty = |label: &str, values: u64| {
+            gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: values.max(4) * 4,
+                usage: storage | wgpu::BufferUsages::COPY_SRC,
+                mapped_at_creation: false,
+            })
+        };
+        let area = u64::from(stand.cells) * u64::from(stand.cells);
+        let wind = plan.wind.block(stand.cells / sward::response::continuum::NODE_CELLS);
+        Self {
+            stand: filled("stand", bytemuck::bytes_of(uniform), wgpu::BufferUsages::UNIFORM),
+            wind: filled("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM),
+            awake: filled("awake patches", bytemuck::cast_slice(&entries.awake), storage),
+            woken: filled("waking patches", bytemuck::cast_slice(&entries.woken), storage),
+            touched: filled("touched patches", bytemuck::cast_slice(&entries.touched), storage),
+            lagged: filled("patches with upper segments", bytemuck::cast_slice(&entries.lagged), storage),
+            contacts: filled("contacts", bytemuck::cast_slice(&plan.contacts), storage),
+            words: filled("edges and pairs", &words, storage),
+            held: empty("held cells", entries.touched.len() as u64 * area),
+            summary: empty("summaries", entries.awake.len() as u64 * 6),
+            gusty: uniform.gusty != 0,
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Getting numbers back from the GPU.
+
+use crate::gpu::{Gpu, GpuError};
+
+/// A copy of a buffer on its way to the CPU.
+pub struct Readback {
+    staging: wgpu::Buffer,
+    bytes: u64,
+}
+
+impl Readback {
+    /// Records the copy of the first `bytes` of `source`.
+    pub fn record(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, source: &wgpu::Buffer, bytes: u64) -> Self {
+        let staging = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read-back"),
+            size: bytes.max(4),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        if bytes > 0 {
+            encoder.copy_buffer_to_buffer(source, 0, &staging, 0, Some(bytes));
+        }
+        Self { staging, bytes }
+    }
+
+    /// Waits until `submission` is done and returns the values.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn take<T: bytemuck::Pod>(self, gpu: &Gpu, submission: &wgpu::SubmissionIndex) -> Result<Vec<T>, GpuError> {
+        if self.bytes == 0 {
+            return Ok(Vec::new());
+        }
+        let slice = self.staging.slice(..self.bytes);
+        slice.map_async(wgpu::MapMode::Read, |_| {});
+        let wait = wgpu::PollType::Wait { submission_index: Some(submission.clone()), timeout: None };
+        gpu.device.poll(wait).map_err(|error| GpuError::Device(error.to_string()))?;
+        gpu.check()?;
+        let values = bytemuck::pod_collect_to_vec(&slice.get_mapped_range());
+        self.staging.unmap();
+        Ok(values)
+    }
+}
+
+/// Reads the first `bytes` of a buffer now.
+///
+/// # Errors
+/// What the device reports.
+pub fn read<T: bytemuck::Pod>(gpu: &Gpu, source: &wgpu::Buffer, bytes: u64) -> Result<Vec<T>, GpuError> {
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    let readback = Readback::record(gpu, &mut encoder, source, bytes);
+    let submission = gpu.queue.submit([encoder.finish()]);
+    readback.take(gpu, &submission)
+}
