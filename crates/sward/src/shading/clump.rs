@@ -61,7 +61,7 @@ struct Habit {
 fn habit(kind: Kind) -> Habit {
     match kind {
         Kind::Lawn => Habit {
-            blades: 44, heads: 0, half_width: [2.6, 4.4], height: [0.45, 0.97], roots: 0.46, lean: 0.16,
+            blades: 130, heads: 0, half_width: [0.8, 1.5], height: [0.45, 0.97], roots: 0.47, lean: 0.07,
             droop: [0.0, 0.12], dryness: [0.0, 0.35], plume: 0.0,
         },
         Kind::Meadow => Habit {
@@ -69,7 +69,7 @@ fn habit(kind: Kind) -> Habit {
             droop: [0.02, 0.36], dryness: [0.0, 0.50], plume: 0.15,
         },
         Kind::Reed => Habit {
-            blades: 24, heads: 3, half_width: [2.4, 4.6], height: [0.50, 0.94], roots: 0.30, lean: 0.30,
+            blades: 40, heads: 2, half_width: [1.2, 2.5], height: [0.45, 0.94], roots: 0.32, lean: 0.34,
             droop: [0.05, 0.42], dryness: [0.0, 0.45], plume: 0.17,
         },
         Kind::Tussock => Habit {
@@ -179,7 +179,7 @@ impl Clump {
 
     /// Small spikelets around the upper end of a stem.
     fn draw_plume(&mut self, stem: &Stroke, length: f32, kind: Kind, dice: &mut Dice) {
-        let (spikelets, spread, radius) = if kind == Kind::Reed { (90, 0.035, 1.5) } else { (44, 0.017, 0.75) };
+        let (spikelets, spread, radius) = if kind == Kind::Reed { (80, 0.026, 0.85) } else { (44, 0.017, 0.75) };
         for _ in 0..spikelets {
             let along = dice.unit();
             let [x, y] = stem.point(1.0 - along * length / stem.height.max(0.1));

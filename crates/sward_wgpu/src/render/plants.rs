@@ -61,8 +61,8 @@ impl Look {
         let (root, tip, dryness, through) = match kind {
             Kind::Lawn => ([0.026, 0.075, 0.012], [0.075, 0.205, 0.028], 0.0, 0.75),
             Kind::Meadow => ([0.024, 0.066, 0.011], [0.085, 0.200, 0.030], 0.05, 0.80),
-            Kind::Reed => ([0.034, 0.062, 0.014], [0.110, 0.170, 0.036], 0.12, 0.70),
-            Kind::Tussock => ([0.050, 0.060, 0.016], [0.160, 0.170, 0.050], 0.30, 0.65),
+            Kind::Reed => ([0.030, 0.060, 0.014], [0.080, 0.165, 0.038], 0.06, 0.60),
+            Kind::Tussock => ([0.045, 0.060, 0.016], [0.140, 0.170, 0.048], 0.24, 0.65),
         };
         Self { kind, root, tip, dryness, through, fade: [70.0, 110.0] }
     }
@@ -70,6 +70,15 @@ impl Look {
     /// The picture layer for a chance number in 0..1.
     pub fn layer(&self, chance: f32) -> u32 {
         first_layer(self.kind) + ((chance * VARIANTS as f32) as u32).min(VARIANTS - 1)
+    }
+
+    /// How much of the ground near the camera lies in the shade of these plants, 0..=1. Lawn is too short to shade it.
+    pub(crate) fn cover(&self) -> f32 {
+        match self.kind {
+            Kind::Lawn => 0.2,
+            Kind::Tussock => 0.75,
+            Kind::Meadow | Kind::Reed => 0.95,
+        }
     }
 
     /// Mean shade and dryness over the kind's pictures.
