@@ -293,7 +293,7 @@ impl Scene<'_> {
         let p = step * Vec2::new(i as f32 + chance(1), j as f32 + chance(2));
         let root = Vec3::new(p.x, self.ground.height(p.x, p.y), p.y);
         let (low, width) = match self.look.kind {
-            Kind::Lawn => (0.05, 0.30),
+            Kind::Lawn => (0.06, 0.24),
             Kind::Meadow => (0.40, 0.55),
             Kind::Reed => (1.20, 0.60),
             Kind::Tussock => (0.32, 0.50),

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use sward::shading::clump::{Kind, VARIANTS, first_layer, paint};
+use sward::shading::clump::{Kind, VARIANTS, first_layer};
 use wgpu::util::DeviceExt;
 
 use super::clump_texture::ClumpTexture;
@@ -79,12 +79,6 @@ impl Look {
             Kind::Tussock => 0.75,
             Kind::Meadow | Kind::Reed => 0.95,
         }
-    }
-
-    /// Mean shade and dryness over the kind's pictures.
-    pub(crate) fn mean(&self) -> [f32; 2] {
-        let mean = paint(self.kind, 0).mean();
-        [mean[0], mean[1]]
     }
 }
 
@@ -259,11 +253,11 @@ fn index_buffer(device: &wgpu::Device, segments: u32, cards: u32) -> wgpu::Buffe
 }
 
 fn style_buffer(device: &wgpu::Device, look: &Look, batch: &PlantBatch<'_>) -> wgpu::Buffer {
-    let [shade, dryness] = look.mean();
+    let closed = look.cover();
     let style = StyleUniform {
         root: [look.root[0], look.root[1], look.root[2], look.dryness],
         tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
-        mean: [shade, dryness, look.fade[0], look.fade[1]],
+        mean: [1.0 - 0.88 * closed, 1.6 * closed, look.fade[0], look.fade[1]],
         shape: [batch.segments, batch.cards, 2 * (batch.segments + 1) * batch.cards, PLANTS_PER_INSTANCE],
     };
     device.create_buffer_init(&wgpu::util::BufferInitDescriptor {

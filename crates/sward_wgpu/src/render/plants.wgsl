@@ -12,7 +12,7 @@ struct Plant {
 struct Style {
     root: vec4<f32>,  // rgb; w = dryness added to every leaf
     tip: vec4<f32>,   // rgb; w = share of light let through
-    mean: vec4<f32>,  // x mean shade, y mean dryness of the picture, zw = distances where plants begin to fade and are gone
+    mean: vec4<f32>,  // x share of the sky seen by roots, y how fast sunlight fades towards them, zw = distances where plants begin to fade and are gone
     shape: vec4<u32>, // segments, cards, vertices per plant, plants per instance
 }
 
@@ -96,13 +96,23 @@ fn plants_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) in
     return leaf;
 }
 
+// Mip level for a pixel. A pixel's print on a slanted card is long and narrow; its longer side alone would blur all blades into
+// one, so the level follows the print's area and stays within two of the longer side's.
+fn plants_level(at: vec2<f32>) -> f32 {
+    let across = dpdx(at) * 256.0;
+    let down = dpdy(at) * 256.0;
+    let area = max(abs(across.x * down.y - across.y * down.x), 1e-6);
+    let longer = max(max(dot(across, across), dot(down, down)), 1e-6);
+    return max(max(0.5 * log2(area), 0.5 * log2(longer) - 2.0) - 0.35, 0.0);
+}
+
 @fragment
 fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
     let to_eye = frame.camera.xyz - leaf.place;
     let view = normalize(to_eye);
-    // Cards seen on edge would be smeared by their coarse mip levels: sharpen a little, and let the thinnest go.
+    // Cards that are nearly seen on edge are let go.
     let on_edge = smoothstep(0.03, 0.20, abs(dot(leaf.facing, view)));
-    var texel = textureSampleBias(clumps, clump_sampler, leaf.card.xy, leaf.layer, -0.7);
+    var texel = textureSampleLevel(clumps, clump_sampler, leaf.card.xy, leaf.layer, plants_level(leaf.card.xy));
     texel.a *= mix(0.35, 1.0, on_edge);
     // A rim one pixel wide, whatever the mip level: alpha becomes coverage of the four samples.
     let alpha = clamp((texel.a - 0.5) / max(fwidth(texel.a), 0.02) + 0.5, 0.0, 1.0);
@@ -118,9 +128,9 @@ fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
     let albedo = shading_leaf(style.root.rgb, style.tip.rgb, along, dry, leaf.patchwork.xyz, texel.r * (0.86 + 0.28 * tint));
     // Neighbours hide the sky and, with a low sun, the sun from all but the tips.
     let lying = leaf.card.w;
-    let open = mix(mix(0.16, 1.0, along * sqrt(along)), 0.9, lying);
+    let open = mix(mix(style.mean.x, 1.0, along * sqrt(along)), 0.9, lying);
     let reach = 1.0 - along;
-    let through_canopy = mix(exp(-1.5 * reach * reach / (0.25 + frame.sun.y)), 0.9, lying);
+    let through_canopy = mix(exp(-style.mean.y * reach * reach / (0.25 + frame.sun.y)), 0.9, lying);
     let lit = shadows_lit(shadows_place(leaf.place, 0.10), 2.2, PLANTS_MEAN_LIT) * through_canopy;
     let colour = shading_grass(albedo, normal, view, frame_light(), lit, open, style.tip.w);
     return vec4<f32>(leaf.air.rgb + colour * leaf.air.a, alpha);
