@@ -14,7 +14,9 @@ use sward_wgpu::gpu::Gpu;
 use sward_wgpu::picture::{Renderer, Setup};
 use sward_wgpu::render::frame::{BodyDraw, FrameInput, LightInput, View};
 use sward_wgpu::render::ground::Relief;
-use sward_wgpu::render::plants::{Look, PLANTS_PER_INSTANCE, Plant, PlantBatch, PlantCount, PlantDraws};
+use sward_wgpu::render::plants::{
+    Look, PLANTS_PER_INSTANCE, Plant, PlantBatch, PlantCount, PlantDraws,
+};
 use wgpu::util::DeviceExt;
 
 /// Ground position of the frame origin.
@@ -26,17 +28,33 @@ struct Options(HashMap<String, String>);
 
 impl Options {
     fn text(&self, key: &str, default: &str) -> String {
-        self.0.get(key).cloned().unwrap_or_else(|| default.to_owned())
+        self.0
+            .get(key)
+            .cloned()
+            .unwrap_or_else(|| default.to_owned())
     }
     fn number(&self, key: &str, default: f32) -> f32 {
-        self.0.get(key).and_then(|value| value.parse().ok()).unwrap_or(default)
+        self.0
+            .get(key)
+            .and_then(|value| value.parse().ok())
+            .unwrap_or(default)
     }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let out = arguments.first().cloned().unwrap_or_else(|| "look.png".into());
-    let options = Options(arguments.iter().skip(1).filter_map(|pair| pair.split_once('=')).map(|(k, v)| (k.into(), v.into())).collect());
+    let out = arguments
+        .first()
+        .cloned()
+        .unwrap_or_else(|| "look.png".into());
+    let options = Options(
+        arguments
+            .iter()
+            .skip(1)
+            .filter_map(|pair| pair.split_once('='))
+            .map(|(k, v)| (k.into(), v.into()))
+            .collect(),
+    );
     let size = options.text("size", "960x540");
     let (width, height) = size.split_once('x').ok_or("size is WIDTHxHEIGHT")?;
     let size = [width.parse()?, height.parse()?];
@@ -51,28 +69,74 @@ fn main() -> Result<(), Box<dyn Error>> {
         _ => Kind::Meadow,
     };
     let fade = options.number("fade", 110.0);
-    let looks = vec![Look { fade: [0.64 * fade, fade], ..Look::of(kind) }];
-    let mut renderer = Renderer::new(&gpu, &Setup { relief: ground.0.clone(), looks: looks.clone(), ..Setup::default() })?;
+    let looks = vec![Look {
+        fade: [0.64 * fade, fade],
+        ..Look::of(kind)
+    }];
+    let mut renderer = Renderer::new(
+        &gpu,
+        &Setup {
+            relief: ground.0.clone(),
+            looks: looks.clone(),
+            ..Setup::default()
+        },
+    )?;
     let mesh = renderer.add_mesh(&gpu, &truck());
-    println!("set up in {:?} on {}", start.elapsed(), gpu.adapter_info.name);
+    println!(
+        "set up in {:?} on {}",
+        start.elapsed(),
+        gpu.adapter_info.name
+    );
 
     let view = view(&options, &ground);
     let body = place_truck(&ground, mesh);
     let start = Instant::now();
-    let scene = Scene { ground: &ground, view: &view, look: looks[0], fade: looks[0].fade[1] };
+    let scene = Scene {
+        ground: &ground,
+        view: &view,
+        look: looks[0],
+        fade: looks[0].fade[1],
+    };
     let split = options.number("split", 40.0);
     let near = scene.plants(0.0, split, segments(kind));
     let far = scene.plants(split, scene.fade, 1);
-    println!("{} + {} plants in {:?}", near.0.len(), far.0.len(), start.elapsed());
+    println!(
+        "{} + {} plants in {:?}",
+        near.0.len(),
+        far.0.len(),
+        start.elapsed()
+    );
     let near_buffers = upload(&gpu, &near);
     let far_buffers = upload(&gpu, &far);
     let batch = |buffers: &'static str, plants, joints, count, segments, shadows| {
         let _ = buffers;
-        PlantBatch { plants, joints, count: PlantCount::Direct(count), segments, cards: 2, look: 0, shadows }
+        PlantBatch {
+            plants,
+            joints,
+            count: PlantCount::Direct(count),
+            segments,
+            cards: 2,
+            look: 0,
+            shadows,
+        }
     };
     let batches = [
-        batch("near", &near_buffers.0, &near_buffers.1, near.0.len() as u32, segments(kind), true),
-        batch("far", &far_buffers.0, &far_buffers.1, far.0.len() as u32, 1, true),
+        batch(
+            "near",
+            &near_buffers.0,
+            &near_buffers.1,
+            near.0.len() as u32,
+            segments(kind),
+            true,
+        ),
+        batch(
+            "far",
+            &far_buffers.0,
+            &far_buffers.1,
+            far.0.len() as u32,
+            1,
+            true,
+        ),
     ];
     let input = FrameInput {
         view,
@@ -96,16 +160,27 @@ fn main() -> Result<(), Box<dyn Error>> {
         let picture = renderer.read(&gpu)?;
         println!("picture {pass} in {:?}", start.elapsed());
         report(&options, &picture);
-        image::save_buffer(&out, &picture.rgba8, picture.width, picture.height, image::ColorType::Rgba8)?;
+        image::save_buffer(
+            &out,
+            &picture.rgba8,
+            picture.width,
+            picture.height,
+            image::ColorType::Rgba8,
+        )?;
     }
     Ok(())
 }
 
 /// Prints the mean code values of a part of the picture: `mean=x0,y0,x1,y1` in pixels.
 fn report(options: &Options, picture: &sward_wgpu::picture::Picture) {
-    let corners: Vec<u32> = options.text("mean", "").split(',').filter_map(|number| number.parse().ok()).collect();
+    let corners: Vec<u32> = options
+        .text("mean", "")
+        .split(',')
+        .filter_map(|number| number.parse().ok())
+        .collect();
     if let [x0, y0, x1, y1] = corners[..] {
-        let pixels = (y0..y1).flat_map(|y| (x0..x1).map(move |x| 4 * (y * picture.width + x) as usize));
+        let pixels =
+            (y0..y1).flat_map(|y| (x0..x1).map(move |x| 4 * (y * picture.width + x) as usize));
         let mut sum = [0u64; 4];
         for at in pixels {
             (0..3).for_each(|c| sum[c] += u64::from(picture.rgba8[at + c]));
@@ -129,10 +204,22 @@ fn relief(options: &Options) -> Result<Relief, Box<dyn Error>> {
         let scale = 1.0 / 32.0;
         let samples = image::open(path)?.into_luma16();
         let (columns, rows) = samples.dimensions();
-        let heights = samples.pixels().map(|p| (236.0 + f32::from(p.0[0]) / 65535.0 * 840.0) * scale as f32).collect();
+        let heights = samples
+            .pixels()
+            .map(|p| (236.0 + f32::from(p.0[0]) / 65535.0 * 840.0) * scale as f32)
+            .collect();
         let spacing = [74.5732 * scale, 92.475 * scale];
-        let corner = [-0.5 * spacing[0] * f64::from(columns) + 96.0, -0.5 * spacing[1] * f64::from(rows) - 64.0];
-        return Ok(Relief { heights, columns, rows, spacing, corner });
+        let corner = [
+            -0.5 * spacing[0] * f64::from(columns) + 96.0,
+            -0.5 * spacing[1] * f64::from(rows) - 64.0,
+        ];
+        return Ok(Relief {
+            heights,
+            columns,
+            rows,
+            spacing,
+            corner,
+        });
     }
     let side = 256;
     let wave = |at: u32, turns: f32| (at as f32 / 255.0 * turns * std::f32::consts::TAU).sin();
@@ -140,7 +227,13 @@ fn relief(options: &Options) -> Result<Relief, Box<dyn Error>> {
         let (x, z) = (i % side, i / side);
         3.5 * wave(x, 2.0) * wave(z, 3.0) + 1.2 * wave(x + z, 5.0) + 0.5 * wave(z, 9.0)
     });
-    Ok(Relief { heights: heights.collect(), columns: side, rows: side, spacing: [4.0, 4.0], corner: [-400.0, -560.0] })
+    Ok(Relief {
+        heights: heights.collect(),
+        columns: side,
+        rows: side,
+        spacing: [4.0, 4.0],
+        corner: [-400.0, -560.0],
+    })
 }
 
 struct Ground(Relief);
@@ -149,7 +242,9 @@ impl Ground {
     /// Height at a point relative to the frame origin; the same formula as the shader's.
     fn height(&self, x: f32, z: f32) -> f32 {
         let relief = &self.0;
-        let at = |axis: usize, local: f32| (ORIGIN[axis] + f64::from(local) - relief.corner[axis]) / relief.spacing[axis];
+        let at = |axis: usize, local: f32| {
+            (ORIGIN[axis] + f64::from(local) - relief.corner[axis]) / relief.spacing[axis]
+        };
         let (u, v) = (at(0, x), at(1, z));
         let mirror = |index: i64, count: u32| {
             let period = 2 * (i64::from(count) - 1);
@@ -162,7 +257,9 @@ impl Ground {
             for i in 0..4 {
                 let column = mirror(u.floor() as i64 + i as i64 - 1, relief.columns);
                 let row = mirror(v.floor() as i64 + j as i64 - 1, relief.rows);
-                sum += wx[i] * wz[j] * f64::from(relief.heights[row * relief.columns as usize + column]);
+                sum += wx[i]
+                    * wz[j]
+                    * f64::from(relief.heights[row * relief.columns as usize + column]);
             }
         }
         sum as f32
@@ -171,7 +268,12 @@ impl Ground {
 
 fn weights(f: f64) -> [f64; 4] {
     let (g, h) = (f * f, f * f * f);
-    [0.5 * (-f + 2.0 * g - h), 0.5 * (2.0 - 5.0 * g + 3.0 * h), 0.5 * (f + 4.0 * g - 3.0 * h), 0.5 * (h - g)]
+    [
+        0.5 * (-f + 2.0 * g - h),
+        0.5 * (2.0 - 5.0 * g + 3.0 * h),
+        0.5 * (f + 4.0 * g - 3.0 * h),
+        0.5 * (h - g),
+    ]
 }
 
 fn view(options: &Options, ground: &Ground) -> View {
@@ -209,7 +311,12 @@ fn place_truck(ground: &Ground, mesh: usize) -> BodyDraw {
     let up = forward.cross(left).normalize();
     let rotation = Quat::from_mat3(&glam::Mat3::from_cols(up.cross(forward), up, forward));
     let position = here(at) - Vec3::Y * 0.03;
-    BodyDraw { mesh, transform: Mat4::from_rotation_translation(rotation, position), paint: [0.035, 0.105, 0.16], ground: position.y }
+    BodyDraw {
+        mesh,
+        transform: Mat4::from_rotation_translation(rotation, position),
+        paint: [0.035, 0.105, 0.16],
+        ground: position.y,
+    }
 }
 
 /// Bend (x, z) of a plant at `p`: the track of the wheels and what the floor pan has brushed.
@@ -246,7 +353,9 @@ struct Scene<'a> {
 }
 
 fn hash(x: i32, z: i32, salt: u32) -> f32 {
-    let mut h = (x as u32).wrapping_mul(0x8da6_b343) ^ (z as u32).wrapping_mul(0xd816_3841) ^ salt.wrapping_mul(0xcb1a_b31f);
+    let mut h = (x as u32).wrapping_mul(0x8da6_b343)
+        ^ (z as u32).wrapping_mul(0xd816_3841)
+        ^ salt.wrapping_mul(0xcb1a_b31f);
     h = (h ^ (h >> 15)).wrapping_mul(0x2c1b_3c6d);
     h = (h ^ (h >> 12)).wrapping_mul(0x297a_2d39);
     ((h ^ (h >> 15)) >> 8) as f32 / 16_777_216.0
@@ -275,7 +384,9 @@ impl Scene<'_> {
         }
         while !plants.0.len().is_multiple_of(PLANTS_PER_INSTANCE as usize) || plants.0.is_empty() {
             plants.0.push(Plant::default());
-            plants.1.extend(std::iter::repeat_n([0.0; 4], segments as usize + 1));
+            plants
+                .1
+                .extend(std::iter::repeat_n([0.0; 4], segments as usize + 1));
         }
         plants
     }
@@ -300,9 +411,14 @@ impl Scene<'_> {
         };
         let clump = 0.5 + 0.5 * ((p.x * 0.35).sin() * (p.y * 0.28).cos());
         let height = low * (0.70 + 0.35 * chance(3) + 0.25 * clump);
-        let wind = Vec2::new(0.16, 0.10) * (1.0 + 0.8 * (p.x * 0.2 + p.y * 0.1).sin()) + 0.12 * Vec2::new(chance(5) - 0.5, chance(6) - 0.5);
+        let wind = Vec2::new(0.16, 0.10) * (1.0 + 0.8 * (p.x * 0.2 + p.y * 0.1).sin())
+            + 0.12 * Vec2::new(chance(5) - 0.5, chance(6) - 0.5);
         let bend = track(p, chance(7));
-        let bend = if bend == Vec2::ZERO { wind } else { bend + 0.3 * wind * (1.0 - bend.length().min(1.0)) };
+        let bend = if bend == Vec2::ZERO {
+            wind
+        } else {
+            bend + 0.3 * wind * (1.0 - bend.length().min(1.0))
+        };
         plants.0.push(Plant {
             root: root.to_array(),
             height,
@@ -313,9 +429,16 @@ impl Scene<'_> {
         });
         let mut joint = root;
         for k in 0..=segments {
-            joint.y = joint.y.max(self.ground.height(joint.x, joint.z) + 0.001 * k as f32);
+            joint.y = joint
+                .y
+                .max(self.ground.height(joint.x, joint.z) + 0.001 * k as f32);
             plants.1.push([joint.x, joint.y, joint.z, 0.0]);
-            let tilt = bend.length() * if segments == 1 { 0.9 } else { 0.65 + 0.5 * k as f32 / segments as f32 };
+            let tilt = bend.length()
+                * if segments == 1 {
+                    0.9
+                } else {
+                    0.65 + 0.5 * k as f32 / segments as f32
+                };
             let (sine, cosine) = tilt.min(1.5).sin_cos();
             let way = bend.normalize_or(Vec2::X) * sine;
             joint += Vec3::new(way.x, cosine, way.y) * (height / segments as f32);
@@ -324,10 +447,16 @@ impl Scene<'_> {
 }
 
 fn upload(gpu: &Gpu, plants: &Plants) -> (wgpu::Buffer, wgpu::Buffer) {
-    let init = |label, contents| gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: Some(label),
-        contents,
-        usage: wgpu::BufferUsages::STORAGE,
-    });
-    (init("plants", bytemuck::cast_slice(&plants.0)), init("joints", bytemuck::cast_slice(&plants.1)))
+    let init = |label, contents| {
+        gpu.device
+            .create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some(label),
+                contents,
+                usage: wgpu::BufferUsages::STORAGE,
+            })
+    };
+    (
+        init("plants", bytemuck::cast_slice(&plants.0)),
+        init("joints", bytemuck::cast_slice(&plants.1)),
+    )
 }

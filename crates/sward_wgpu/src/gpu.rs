@@ -56,7 +56,9 @@ impl Gpu {
     /// # Errors
     /// No adapter, no adapter of that name, or the adapter refuses a device.
     pub fn new() -> Result<Self, GpuError> {
-        let wanted = std::env::var("SWARD_ADAPTER").ok().filter(|name| !name.is_empty());
+        let wanted = std::env::var("SWARD_ADAPTER")
+            .ok()
+            .filter(|name| !name.is_empty());
         pollster::block_on(Self::open(wanted.as_deref()))
     }
 
@@ -66,7 +68,8 @@ impl Gpu {
     /// As [`Gpu::new`].
     pub async fn open(wanted: Option<&str>) -> Result<Self, GpuError> {
         let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
-        descriptor.flags = if std::env::var_os("SWARD_VALIDATION").is_some_and(|value| value == "1") {
+        descriptor.flags = if std::env::var_os("SWARD_VALIDATION").is_some_and(|value| value == "1")
+        {
             wgpu::InstanceFlags::VALIDATION | wgpu::InstanceFlags::DEBUG
         } else {
             wgpu::InstanceFlags::empty()
@@ -90,7 +93,11 @@ impl Gpu {
     }
 
     /// Takes over a device somebody else made, for hosts that own one already.
-    pub fn watch(device: wgpu::Device, queue: wgpu::Queue, adapter_info: wgpu::AdapterInfo) -> Self {
+    pub fn watch(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        adapter_info: wgpu::AdapterInfo,
+    ) -> Self {
         let errors = Arc::new(Mutex::new(Vec::new()));
         let sink = Arc::clone(&errors);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
@@ -138,7 +145,11 @@ fn choose(adapters: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<wgpu::Ad
     }
     let fits = |adapter: &wgpu::Adapter| {
         wanted.is_none_or(|part| {
-            adapter.get_info().name.to_lowercase().contains(&part.to_lowercase())
+            adapter
+                .get_info()
+                .name
+                .to_lowercase()
+                .contains(&part.to_lowercase())
         })
     };
     adapters

@@ -24,7 +24,11 @@ pub struct Setup {
 
 impl Default for Setup {
     fn default() -> Self {
-        Self { relief: Relief::flat(0.0), looks: vec![Look::of(sward::shading::clump::Kind::Meadow)], shadow_reach: 36.0 }
+        Self {
+            relief: Relief::flat(0.0),
+            looks: vec![Look::of(sward::shading::clump::Kind::Meadow)],
+            shadow_reach: 36.0,
+        }
     }
 }
 
@@ -66,7 +70,11 @@ impl Renderer {
             mapped_at_creation: false,
         });
         let shadow = ShadowMap::new(&gpu.device);
-        let looks = if setup.looks.is_empty() { Setup::default().looks } else { setup.looks.clone() };
+        let looks = if setup.looks.is_empty() {
+            Setup::default().looks
+        } else {
+            setup.looks.clone()
+        };
         let mut relief = setup.relief.clone();
         // Only the mapping is needed from here on; the samples live on the GPU.
         let renderer = Self {
@@ -97,12 +105,28 @@ impl Renderer {
     ///
     /// # Errors
     /// What the device reports.
-    pub fn draw(&mut self, gpu: &Gpu, input: &FrameInput<'_>, plants: &PlantDraws<'_>, size: [u32; 2]) -> Result<(), GpuError> {
+    pub fn draw(
+        &mut self,
+        gpu: &Gpu,
+        input: &FrameInput<'_>,
+        plants: &PlantDraws<'_>,
+        size: [u32; 2],
+    ) -> Result<(), GpuError> {
         let most = gpu.device.limits().max_texture_dimension_2d;
         let size = size.map(|side| side.clamp(1, most));
-        let uniform = FrameUniform::new(input, self.relief.frame(input.origin), size, self.shadow_reach);
-        gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
-        self.ground.place(gpu, [input.view.position.x, input.view.position.z], input.origin);
+        let uniform = FrameUniform::new(
+            input,
+            self.relief.frame(input.origin),
+            size,
+            self.shadow_reach,
+        );
+        gpu.queue
+            .write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
+        self.ground.place(
+            gpu,
+            [input.view.position.x, input.view.position.z],
+            input.origin,
+        );
         self.bodies.place(gpu, input.bodies);
         let ready = self.plants.ready(gpu, &self.frame, &self.shadow, plants);
         let targets = match self.targets.take() {
@@ -123,7 +147,11 @@ impl Renderer {
             self.ground.draw(&mut pass);
             self.sky.draw(&mut pass);
         }
-        self.resolve.draw(&mut encoder, &targets, &targets.display.create_view(&Default::default()));
+        self.resolve.draw(
+            &mut encoder,
+            &targets,
+            &targets.display.create_view(&Default::default()),
+        );
         gpu.queue.submit([encoder.finish()]);
         self.targets = Some(targets);
         gpu.check()
@@ -135,7 +163,11 @@ impl Renderer {
     /// What the device reports.
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
         let Some(targets) = &self.targets else {
-            return Ok(Picture { width: 0, height: 0, rgba8: Vec::new() });
+            return Ok(Picture {
+                width: 0,
+                height: 0,
+                rgba8: Vec::new(),
+            });
         };
         let [width, height] = targets.size;
         let row = (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
@@ -148,17 +180,38 @@ impl Renderer {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         encoder.copy_texture_to_buffer(
             targets.display.as_image_copy(),
-            wgpu::TexelCopyBufferInfo { buffer: &buffer, layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None } },
-            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            wgpu::TexelCopyBufferInfo {
+                buffer: &buffer,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(row),
+                    rows_per_image: None,
+                },
+            },
+            wgpu::Extent3d {
+                width,
+                height,
+                depth_or_array_layers: 1,
+            },
         );
         gpu.queue.submit([encoder.finish()]);
         let slice = buffer.slice(..);
         slice.map_async(wgpu::MapMode::Read, |_| {});
-        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| GpuError::Device(error.to_string()))?;
+        gpu.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .map_err(|error| GpuError::Device(error.to_string()))?;
         gpu.check()?;
         let bytes = slice.get_mapped_range();
-        let rgba8 = bytes.chunks_exact(row as usize).flat_map(|line| &line[..4 * width as usize]).copied().collect();
-        Ok(Picture { width, height, rgba8 })
+        let rgba8 = bytes
+            .chunks_exact(row as usize)
+            .flat_map(|line| &line[..4 * width as usize])
+            .copied()
+            .collect();
+        Ok(Picture {
+            width,
+            height,
+            rgba8,
+        })
     }
 }
 
@@ -166,7 +219,12 @@ impl Renderer {
 fn turf(look: &Look) -> TurfUniform {
     let mean = sward::shading::clump::paint(look.kind, 0).mean();
     TurfUniform {
-        root: [look.root[0], look.root[1], look.root[2], (look.dryness + mean[1]).min(1.0)],
+        root: [
+            look.root[0],
+            look.root[1],
+            look.root[2],
+            (look.dryness + mean[1]).min(1.0),
+        ],
         tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
         mean: [mean[0], look.cover(), look.fade[1], 0.0],
     }

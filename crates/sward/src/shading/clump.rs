@@ -61,20 +61,48 @@ struct Habit {
 fn habit(kind: Kind) -> Habit {
     match kind {
         Kind::Lawn => Habit {
-            blades: 130, heads: 0, half_width: [0.8, 1.5], height: [0.45, 0.97], roots: 0.47, lean: 0.07,
-            droop: [0.0, 0.12], dryness: [0.0, 0.35], plume: 0.0,
+            blades: 130,
+            heads: 0,
+            half_width: [0.8, 1.5],
+            height: [0.45, 0.97],
+            roots: 0.47,
+            lean: 0.07,
+            droop: [0.0, 0.12],
+            dryness: [0.0, 0.35],
+            plume: 0.0,
         },
         Kind::Meadow => Habit {
-            blades: 74, heads: 3, half_width: [1.1, 2.3], height: [0.34, 0.88], roots: 0.34, lean: 0.32,
-            droop: [0.02, 0.36], dryness: [0.0, 0.50], plume: 0.15,
+            blades: 74,
+            heads: 3,
+            half_width: [1.1, 2.3],
+            height: [0.34, 0.88],
+            roots: 0.34,
+            lean: 0.32,
+            droop: [0.02, 0.36],
+            dryness: [0.0, 0.50],
+            plume: 0.15,
         },
         Kind::Reed => Habit {
-            blades: 40, heads: 2, half_width: [1.2, 2.5], height: [0.45, 0.94], roots: 0.32, lean: 0.34,
-            droop: [0.05, 0.42], dryness: [0.0, 0.45], plume: 0.17,
+            blades: 40,
+            heads: 2,
+            half_width: [1.2, 2.5],
+            height: [0.45, 0.94],
+            roots: 0.32,
+            lean: 0.34,
+            droop: [0.05, 0.42],
+            dryness: [0.0, 0.45],
+            plume: 0.17,
         },
         Kind::Tussock => Habit {
-            blades: 84, heads: 3, half_width: [1.0, 1.8], height: [0.45, 0.95], roots: 0.13, lean: 0.52,
-            droop: [0.05, 0.40], dryness: [0.1, 0.8], plume: 0.06,
+            blades: 84,
+            heads: 3,
+            half_width: [1.0, 1.8],
+            height: [0.45, 0.95],
+            roots: 0.13,
+            lean: 0.52,
+            droop: [0.05, 0.40],
+            dryness: [0.1, 0.8],
+            plume: 0.06,
         },
     }
 }
@@ -118,8 +146,11 @@ impl Stroke {
 /// Paints one clump. `variant` may be any number; [`VARIANTS`] of them are used.
 pub fn paint(kind: Kind, variant: u32) -> Clump {
     let habit = habit(kind);
-    let mut dice = Dice(0x9e37_79b9 ^ (variant.wrapping_mul(0x85eb_ca6b)).wrapping_add(kind as u32 * 7919));
-    let mut clump = Clump { rgba: vec![[0; 4]; SIDE * SIDE] };
+    let mut dice =
+        Dice(0x9e37_79b9 ^ (variant.wrapping_mul(0x85eb_ca6b)).wrapping_add(kind as u32 * 7919));
+    let mut clump = Clump {
+        rgba: vec![[0; 4]; SIDE * SIDE],
+    };
     for index in 0..habit.blades {
         let depth = index as f32 / habit.blades as f32;
         let stroke = blade(&habit, &mut dice, depth);
@@ -145,7 +176,9 @@ fn blade(habit: &Habit, dice: &mut Dice, depth: f32) -> Stroke {
         droop: dice.between(habit.droop),
         half_width: dice.between(habit.half_width),
         shade: 0.50 + 0.30 * depth + 0.20 * dice.unit(),
-        dryness: habit.dryness[0] + (habit.dryness[1] - habit.dryness[0]) * old * old * old + if old > 0.87 { 0.45 } else { 0.0 },
+        dryness: habit.dryness[0]
+            + (habit.dryness[1] - habit.dryness[0]) * old * old * old
+            + if old > 0.87 { 0.45 } else { 0.0 },
         facing: dice.unit(),
     }
 }
@@ -170,22 +203,42 @@ impl Clump {
         for step in 0..=steps {
             let s = step as f32 / steps as f32;
             // A blade is widest at a third of its length and ends in a point.
-            let taper = if stem { 1.0 - 0.3 * s } else { (1.0 - s * s * s) * (0.72 + 0.84 * s * (1.0 - s)) };
+            let taper = if stem {
+                1.0 - 0.3 * s
+            } else {
+                (1.0 - s * s * s) * (0.72 + 0.84 * s * (1.0 - s))
+            };
             let shade = stroke.shade * (0.80 + 0.20 * s);
             let dryness = stroke.dryness + 0.25 * s * s * s;
-            self.disc(stroke.point(s), stroke.half_width * taper, [1.0, 1.0], [shade, dryness, stroke.facing]);
+            self.disc(
+                stroke.point(s),
+                stroke.half_width * taper,
+                [1.0, 1.0],
+                [shade, dryness, stroke.facing],
+            );
         }
     }
 
     /// Small spikelets around the upper end of a stem.
     fn draw_plume(&mut self, stem: &Stroke, length: f32, kind: Kind, dice: &mut Dice) {
-        let (spikelets, spread, radius) = if kind == Kind::Reed { (80, 0.026, 0.85) } else { (44, 0.017, 0.75) };
+        let (spikelets, spread, radius) = if kind == Kind::Reed {
+            (80, 0.026, 0.85)
+        } else {
+            (44, 0.017, 0.75)
+        };
         for _ in 0..spikelets {
             let along = dice.unit();
             let [x, y] = stem.point(1.0 - along * length / stem.height.max(0.1));
             let width = spread * (1.0 - (2.0 * along - 0.9).abs()).max(0.15);
-            let at = [x + width * (2.0 * dice.unit() - 1.0), y + 0.012 * (dice.unit() - 0.3)];
-            let paint = [0.45 + 0.3 * dice.unit(), 0.55 + 0.3 * dice.unit(), dice.unit()];
+            let at = [
+                x + width * (2.0 * dice.unit() - 1.0),
+                y + 0.012 * (dice.unit() - 0.3),
+            ];
+            let paint = [
+                0.45 + 0.3 * dice.unit(),
+                0.55 + 0.3 * dice.unit(),
+                dice.unit(),
+            ];
             self.disc(at, radius * (0.8 + 0.6 * dice.unit()), [0.8, 2.4], paint);
         }
     }
@@ -201,7 +254,8 @@ impl Clump {
             for column in first(x, reach_x)..=last(x, reach_x) {
                 let across = (column as f32 + 0.5 - x) / stretch[0];
                 let along = (row as f32 + 0.5 - y) / stretch[1];
-                let cover = (radius + 0.5 - (across * across + along * along).sqrt()).clamp(0.0, 1.0);
+                let cover =
+                    (radius + 0.5 - (across * across + along * along).sqrt()).clamp(0.0, 1.0);
                 if cover > 0.0 {
                     self.blend(row * SIDE + column, cover, across / (radius + 0.5), paint);
                 }
@@ -212,11 +266,19 @@ impl Clump {
     /// Lays one blade's paint over a texel. Blades are folded along the middle: their halves face different ways.
     fn blend(&mut self, index: usize, cover: f32, across: f32, [shade, dryness, facing]: [f32; 3]) {
         let rib = if across.abs() < 0.25 { 1.08 } else { 1.0 };
-        let new = [shade * rib, dryness, (facing + 0.22 * across).clamp(0.0, 1.0)];
+        let new = [
+            shade * rib,
+            dryness,
+            (facing + 0.22 * across).clamp(0.0, 1.0),
+        ];
         let texel = &mut self.rgba[index];
         for channel in 0..3 {
             let old = f32::from(texel[channel]) / 255.0;
-            let mixed = if texel[3] == 0 { new[channel] } else { old + (new[channel] - old) * cover };
+            let mixed = if texel[3] == 0 {
+                new[channel]
+            } else {
+                old + (new[channel] - old) * cover
+            };
             texel[channel] = (mixed.clamp(0.0, 1.0) * 255.0) as u8;
         }
         texel[3] = texel[3].max((cover * 255.0) as u8);
@@ -244,7 +306,12 @@ impl Clump {
         }
         let weight = sum[3].max(1.0) * 255.0;
         let cover = sum[3] / (255.0 * self.rgba.len().max(1) as f64);
-        [(sum[0] / weight) as f32, (sum[1] / weight) as f32, (sum[2] / weight) as f32, cover as f32]
+        [
+            (sum[0] / weight) as f32,
+            (sum[1] / weight) as f32,
+            (sum[2] / weight) as f32,
+            cover as f32,
+        ]
     }
 
     /// The picture and its smaller copies down to 1 × 1, as bytes.
@@ -276,10 +343,18 @@ fn halve(texels: &[[u8; 4]]) -> Vec<[u8; 4]> {
     for row in 0..half {
         for column in 0..half {
             let at = 2 * row * side + 2 * column;
-            let four = [texels[at], texels[at + 1], texels[at + side], texels[at + side + 1]];
+            let four = [
+                texels[at],
+                texels[at + 1],
+                texels[at + side],
+                texels[at + side + 1],
+            ];
             let weight: u32 = four.iter().map(|t| u32::from(t[3]) + 1).sum();
             let mean = |channel: usize| {
-                let sum: u32 = four.iter().map(|t| u32::from(t[channel]) * (u32::from(t[3]) + 1)).sum();
+                let sum: u32 = four
+                    .iter()
+                    .map(|t| u32::from(t[channel]) * (u32::from(t[3]) + 1))
+                    .sum();
                 (sum / weight) as u8
             };
             out.push([mean(0), mean(1), mean(2), ((weight - 4) / 4) as u8]);
@@ -290,7 +365,10 @@ fn halve(texels: &[[u8; 4]]) -> Vec<[u8; 4]> {
 
 /// Share of texels whose alpha times `gain` reaches the cutoff.
 fn covered(texels: &[[u8; 4]], gain: f32) -> f32 {
-    let count = texels.iter().filter(|t| f32::from(t[3]) * gain >= f32::from(CUTOFF)).count();
+    let count = texels
+        .iter()
+        .filter(|t| f32::from(t[3]) * gain >= f32::from(CUTOFF))
+        .count();
     count as f32 / texels.len().max(1) as f32
 }
 
@@ -298,7 +376,11 @@ fn gain_for(texels: &[[u8; 4]], target: f32) -> f32 {
     let (mut low, mut high) = (0.25, 8.0);
     for _ in 0..14 {
         let middle = 0.5 * (low + high);
-        if covered(texels, middle) < target { low = middle } else { high = middle }
+        if covered(texels, middle) < target {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     // Very small levels cannot hit the share exactly; they must not turn solid.
     high.min(4.0)

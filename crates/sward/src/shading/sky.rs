@@ -41,7 +41,8 @@ pub fn sky(direction: Vec3, sun: Vec3, haze: f32) -> Vec3 {
     let phase = (RAYLEIGH * rayleigh + Vec3::splat(mie * forward)) / depth;
     let share = 1.55 + (0.18 - 1.55) * up.sqrt();
     let direct = phase * sun_share(sun.y, haze, share);
-    let diffuse = Vec3::new(0.026, 0.030, 0.038) * (Vec3::splat(0.35) + 0.65 * sun_share(sun.y, haze, 0.5));
+    let diffuse =
+        Vec3::new(0.026, 0.030, 0.038) * (Vec3::splat(0.35) + 0.65 * sun_share(sun.y, haze, 0.5));
     SUN * opacity * (direct + diffuse * (1.0 - 0.5 * up))
 }
 
@@ -65,7 +66,8 @@ impl Light {
     pub fn new(azimuth: f32, elevation: f32, strength: f32, haze: f32, clouds: f32) -> Self {
         let (sine, cosine) = elevation.sin_cos();
         let sun = Vec3::new(cosine * azimuth.cos(), sine, cosine * azimuth.sin());
-        let sun_colour = SUN * 1.45 * strength * (1.0 - 0.35 * clouds) * sun_share(sun.y, haze, 1.25);
+        let sun_colour =
+            SUN * 1.45 * strength * (1.0 - 0.35 * clouds) * sun_share(sun.y, haze, 1.25);
         let mut sum = Vec3::ZERO;
         let mut weights = 0.0;
         for ring in 0..4 {
@@ -79,8 +81,14 @@ impl Light {
             }
         }
         // Clouds and all that single scattering leaves out brighten the shade.
-        let sky = sum / weights * strength * (1.35 + 0.4 * clouds);
-        let ground = Vec3::new(0.10, 0.12, 0.05) * (sky + sun_colour * (sun.y.max(0.0) / std::f32::consts::PI));
-        Self { sun, sun_colour, sky, ground }
+        let sky = sum / weights * strength * (1.55 + 0.4 * clouds);
+        let ground = Vec3::new(0.10, 0.12, 0.05)
+            * (sky + sun_colour * (sun.y.max(0.0) / std::f32::consts::PI));
+        Self {
+            sun,
+            sun_colour,
+            sky,
+            ground,
+        }
     }
 }

@@ -43,22 +43,53 @@ impl BodyPass {
     pub(crate) fn new(gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap) -> Self {
         let device = &gpu.device;
         let module = shader(device, "bodies", &PARTS);
-        let main_layout = layout(device, "bodies", &[(0, Slot::Uniform), (2, Slot::ShadowMap), (3, Slot::Comparison), (4, Slot::Storage)]);
-        let shadow_layout = layout(device, "body shadows", &[(0, Slot::Uniform), (4, Slot::Storage)]);
+        let main_layout = layout(
+            device,
+            "bodies",
+            &[
+                (0, Slot::Uniform),
+                (2, Slot::ShadowMap),
+                (3, Slot::Comparison),
+                (4, Slot::Storage),
+            ],
+        );
+        let shadow_layout = layout(
+            device,
+            "body shadows",
+            &[(0, Slot::Uniform), (4, Slot::Storage)],
+        );
         let attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x2];
         let buffers = [wgpu::VertexBufferLayout {
             array_stride: size_of::<Vertex>() as u64,
             step_mode: wgpu::VertexStepMode::Vertex,
             attributes: &attributes,
         }];
-        let main = main_pipeline(device, &PipelineParts {
-            label: "bodies", module: &module, layout: &main_layout, vertex: "bodies_vertex", buffers: &buffers,
-            fragment: Some("bodies_fragment"), coverage: false, depth_write: true,
-        });
-        let shadow = shadow_pipeline(device, &PipelineParts {
-            label: "body shadows", module: &module, layout: &shadow_layout, vertex: "bodies_shadow_vertex", buffers: &buffers,
-            fragment: None, coverage: false, depth_write: true,
-        });
+        let main = main_pipeline(
+            device,
+            &PipelineParts {
+                label: "bodies",
+                module: &module,
+                layout: &main_layout,
+                vertex: "bodies_vertex",
+                buffers: &buffers,
+                fragment: Some("bodies_fragment"),
+                coverage: false,
+                depth_write: true,
+            },
+        );
+        let shadow = shadow_pipeline(
+            device,
+            &PipelineParts {
+                label: "body shadows",
+                module: &module,
+                layout: &shadow_layout,
+                vertex: "bodies_shadow_vertex",
+                buffers: &buffers,
+                fragment: None,
+                coverage: false,
+                depth_write: true,
+            },
+        );
         let instances = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("bodies"),
             size: (MOST * size_of::<BodyInstance>()) as u64,
@@ -69,42 +100,90 @@ impl BodyPass {
             label: Some("bodies"),
             layout: &main_layout,
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&map.view) },
-                wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&map.sampler) },
-                wgpu::BindGroupEntry { binding: 4, resource: instances.as_entire_binding() },
+                wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: frame.as_entire_binding(),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 2,
+                    resource: wgpu::BindingResource::TextureView(&map.view),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 3,
+                    resource: wgpu::BindingResource::Sampler(&map.sampler),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 4,
+                    resource: instances.as_entire_binding(),
+                },
             ],
         });
         let shadow_bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("body shadows"),
             layout: &shadow_layout,
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 4, resource: instances.as_entire_binding() },
+                wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: frame.as_entire_binding(),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 4,
+                    resource: instances.as_entire_binding(),
+                },
             ],
         });
-        Self { main, shadow, main_bindings, shadow_bindings, instances, meshes: Vec::new(), drawn: Vec::new() }
+        Self {
+            main,
+            shadow,
+            main_bindings,
+            shadow_bindings,
+            instances,
+            meshes: Vec::new(),
+            drawn: Vec::new(),
+        }
     }
 
     pub(crate) fn add_mesh(&mut self, gpu: &Gpu, mesh: &Mesh) -> usize {
-        let init = |label, contents, usage| gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage });
+        let init = |label, contents, usage| {
+            gpu.device
+                .create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                    label: Some(label),
+                    contents,
+                    usage,
+                })
+        };
         self.meshes.push(MeshBuffers {
-            vertices: init("mesh vertices", bytemuck::cast_slice(&mesh.vertices), wgpu::BufferUsages::VERTEX),
-            indices: init("mesh indices", bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX),
+            vertices: init(
+                "mesh vertices",
+                bytemuck::cast_slice(&mesh.vertices),
+                wgpu::BufferUsages::VERTEX,
+            ),
+            indices: init(
+                "mesh indices",
+                bytemuck::cast_slice(&mesh.indices),
+                wgpu::BufferUsages::INDEX,
+            ),
             count: mesh.indices.len() as u32,
         });
         self.meshes.len() - 1
     }
 
     pub(crate) fn place(&mut self, gpu: &Gpu, bodies: &[BodyDraw]) {
-        let known = bodies.iter().filter(|body| body.mesh < self.meshes.len()).take(MOST);
+        let known = bodies
+            .iter()
+            .filter(|body| body.mesh < self.meshes.len())
+            .take(MOST);
         let (mut instances, mut drawn) = (Vec::new(), Vec::new());
         for body in known {
             drawn.push((body.mesh, instances.len() as u32));
             let [r, g, b] = body.paint;
-            instances.push(BodyInstance { transform: body.transform, paint: [r, g, b, body.ground] });
+            instances.push(BodyInstance {
+                transform: body.transform,
+                paint: [r, g, b, body.ground],
+            });
         }
-        gpu.queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
+        gpu.queue
+            .write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
         self.drawn = drawn;
     }
 

@@ -22,7 +22,9 @@ impl ClumpTexture {
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        let kinds = KINDS.into_iter().flat_map(|kind| (0..VARIANTS).map(move |variant| (kind, variant)));
+        let kinds = KINDS
+            .into_iter()
+            .flat_map(|kind| (0..VARIANTS).map(move |variant| (kind, variant)));
         for (layer, (kind, variant)) in kinds.enumerate() {
             for (level, bytes) in paint(kind, variant).levels().iter().enumerate() {
                 upload(gpu, &texture, layer as u32, level as u32, bytes);
@@ -35,14 +37,21 @@ impl ClumpTexture {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        let view = texture.create_view(&wgpu::TextureViewDescriptor { dimension: Some(wgpu::TextureViewDimension::D2Array), ..Default::default() });
+        let view = texture.create_view(&wgpu::TextureViewDescriptor {
+            dimension: Some(wgpu::TextureViewDimension::D2Array),
+            ..Default::default()
+        });
         Self { view, sampler }
     }
 }
 
 fn extent(level: u32, layers: u32) -> wgpu::Extent3d {
     let side = (SIDE as u32 >> level).max(1);
-    wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers }
+    wgpu::Extent3d {
+        width: side,
+        height: side,
+        depth_or_array_layers: layers,
+    }
 }
 
 fn upload(gpu: &Gpu, texture: &wgpu::Texture, layer: u32, level: u32, bytes: &[u8]) {
@@ -51,11 +60,19 @@ fn upload(gpu: &Gpu, texture: &wgpu::Texture, layer: u32, level: u32, bytes: &[u
         wgpu::TexelCopyTextureInfo {
             texture,
             mip_level: level,
-            origin: wgpu::Origin3d { x: 0, y: 0, z: layer },
+            origin: wgpu::Origin3d {
+                x: 0,
+                y: 0,
+                z: layer,
+            },
             aspect: wgpu::TextureAspect::All,
         },
         bytes,
-        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * size.width), rows_per_image: Some(size.height) },
+        wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(4 * size.width),
+            rows_per_image: Some(size.height),
+        },
         size,
     );
 }

@@ -23,7 +23,11 @@ impl View {
         let ahead = (target - eye).normalize_or(Vec3::Z);
         let right = ahead.cross(Vec3::Y).normalize_or(Vec3::X);
         let axes = glam::Mat3::from_cols(right, right.cross(ahead), -ahead);
-        Self { position: eye, rotation: Quat::from_mat3(&axes), field_of_view }
+        Self {
+            position: eye,
+            rotation: Quat::from_mat3(&axes),
+            field_of_view,
+        }
     }
 }
 
@@ -48,7 +52,15 @@ pub struct LightInput {
 
 impl Default for LightInput {
     fn default() -> Self {
-        Self { azimuth: 0.6, elevation: 0.22, strength: 1.0, haze: 0.3, fog: 0.0015, exposure: 0.0, clouds: 0.4 }
+        Self {
+            azimuth: 0.6,
+            elevation: 0.22,
+            strength: 1.0,
+            haze: 0.3,
+            fog: 0.0015,
+            exposure: 0.0,
+            clouds: 0.4,
+        }
     }
 }
 
@@ -112,28 +124,47 @@ pub struct ReliefFrame {
 
 impl FrameUniform {
     /// Lays a frame out for a picture of `size` pixels. `shadow_reach` is the half side of the shadowed square, metres.
-    pub fn new(input: &FrameInput<'_>, relief: ReliefFrame, size: [u32; 2], shadow_reach: f32) -> Self {
+    pub fn new(
+        input: &FrameInput<'_>,
+        relief: ReliefFrame,
+        size: [u32; 2],
+        shadow_reach: f32,
+    ) -> Self {
         let light = &input.light;
-        let sun = Light::new(light.azimuth, light.elevation, light.strength, light.haze, light.clouds);
+        let sun = Light::new(
+            light.azimuth,
+            light.elevation,
+            light.strength,
+            light.haze,
+            light.clouds,
+        );
         let view = &input.view;
         let half = (0.5 * view.field_of_view).tan();
         let aspect = size[0].max(1) as f32 / size[1].max(1) as f32;
-        let (right, up, ahead) = (view.rotation * Vec3::X, view.rotation * Vec3::Y, view.rotation * Vec3::NEG_Z);
+        let (right, up, ahead) = (
+            view.rotation * Vec3::X,
+            view.rotation * Vec3::Y,
+            view.rotation * Vec3::NEG_Z,
+        );
         let turn = Mat4::from_rotation_translation(view.rotation, view.position).inverse();
         let projection = Mat4::perspective_infinite_reverse_rh(view.field_of_view, aspect, 0.05);
-        let phase = DVec2::from(input.origin).rem_euclid(DVec2::splat(PATTERN_PERIOD)).as_vec2();
+        let phase = DVec2::from(input.origin)
+            .rem_euclid(DVec2::splat(PATTERN_PERIOD))
+            .as_vec2();
         let drift = (input.time * 0.002).rem_euclid(256.0) as f32;
         Self {
             view_projection: projection * turn,
             shadow: shadow_matrix(input.focus, sun.sun, shadow_reach),
             right: (right * half * aspect).extend(2.0 * half / size[1].max(1) as f32),
             up: (up * half).extend(input.time.rem_euclid(4096.0) as f32),
-            forward: ahead.extend(light.exposure.exp2() * EXPOSURE),
+            forward: ahead.extend(light.exposure.exp2() * base_exposure(&sun)),
             camera: view.position.extend(light.fog),
             phase: Vec4::new(phase.x, phase.y, drift, 0.4 * drift),
             sun: sun.sun.extend(light.haze),
             sun_colour: sun.sun_colour.extend(light.clouds),
-            sky: sun.sky.extend(2.0 * shadow_reach / super::shadow::SIDE as f32),
+            sky: sun
+                .sky
+                .extend(2.0 * shadow_reach / super::shadow::SIDE as f32),
             ground: sun.ground.extend(1.0),
             relief: Vec4::from(relief.mapping),
             relief_size: [relief.size[0], relief.size[1], 0, 0],
@@ -141,8 +172,12 @@ impl FrameUniform {
     }
 }
 
-/// Brings the renderer's unit to a well-exposed evening at 0 EV.
-const EXPOSURE: f32 = 1.4;
+/// What 0 EV means: a well-exposed evening. A photographer opens up as the light goes, but less than the light goes.
+fn base_exposure(light: &Light) -> f32 {
+    let brightness = (0.2 * light.sun_colour + std::f32::consts::PI * light.sky)
+        .dot(Vec3::new(0.2126, 0.7152, 0.0722));
+    1.4 * (3.0 / brightness.max(0.05)).powf(0.6).clamp(0.4, 4.0)
+}
 
 /// Frame space to shadow map (xy 0..1, v down; z depth 0..1) for a sun in direction `sun`.
 fn shadow_matrix(focus: Vec3, sun: Vec3, reach: f32) -> Mat4 {
@@ -150,12 +185,21 @@ fn shadow_matrix(focus: Vec3, sun: Vec3, reach: f32) -> Mat4 {
     let up = sun.cross(right);
     // A low sun sees level ground foreshortened: the map need not be square in metres. Slopes and tall bodies add to it.
     let half_up = reach * (sun.y + 0.12).min(1.0) + 4.0;
-    let texel = [2.0 * reach / super::shadow::SIDE as f32, 2.0 * half_up / super::shadow::SIDE as f32];
+    let texel = [
+        2.0 * reach / super::shadow::SIDE as f32,
+        2.0 * half_up / super::shadow::SIDE as f32,
+    ];
     // Steps of whole texels keep the rims of shadows from crawling with the camera.
     let snap = |value: f32, step: f32| (value / step).round() * step;
-    let centre = [snap(focus.dot(right), texel[0]), snap(focus.dot(up), texel[1]), focus.dot(sun)];
+    let centre = [
+        snap(focus.dot(right), texel[0]),
+        snap(focus.dot(up), texel[1]),
+        focus.dot(sun),
+    ];
     let depth = reach + 60.0;
-    let row = |axis: Vec3, centre: f32, half: f32, flip: f32| (axis * (flip * 0.5 / half)).extend(0.5 - flip * centre * 0.5 / half);
+    let row = |axis: Vec3, centre: f32, half: f32, flip: f32| {
+        (axis * (flip * 0.5 / half)).extend(0.5 - flip * centre * 0.5 / half)
+    };
     Mat4::from_cols(
         row(right, centre[0], reach, 1.0),
         row(up, centre[1], half_up, -1.0),

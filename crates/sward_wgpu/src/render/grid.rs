@@ -46,20 +46,35 @@ fn add_ring(grid: &mut Grid, centre: [f32; 2], spacing: f32, hole: Option<([f32;
         for column in -half..=half {
             let out = row.abs().max(column.abs()) as f32 / half as f32;
             let morph = ((out - 0.70) / 0.26).clamp(0.0, 1.0);
-            let shift = |index: i32| index as f32 - if index % 2 == 0 { 0.0 } else { morph * index.signum() as f32 };
-            grid.vertices.push([centre[0] + shift(column) * spacing, centre[1] + shift(row) * spacing, spacing]);
+            let shift = |index: i32| {
+                index as f32
+                    - if index % 2 == 0 {
+                        0.0
+                    } else {
+                        morph * index.signum() as f32
+                    }
+            };
+            grid.vertices.push([
+                centre[0] + shift(column) * spacing,
+                centre[1] + shift(row) * spacing,
+                spacing,
+            ]);
         }
     }
     let side = CELLS as u32 + 1;
     for row in 0..CELLS as u32 {
         for column in 0..CELLS as u32 {
-            let middle = |index: u32, axis: usize| centre[axis] + (index as f32 + 0.5 - half as f32) * spacing;
+            let middle = |index: u32, axis: usize| {
+                centre[axis] + (index as f32 + 0.5 - half as f32) * spacing
+            };
             let covered = hole.is_some_and(|(inner, reach)| {
-                (middle(column, 0) - inner[0]).abs() < reach && (middle(row, 1) - inner[1]).abs() < reach
+                (middle(column, 0) - inner[0]).abs() < reach
+                    && (middle(row, 1) - inner[1]).abs() < reach
             });
             if !covered {
                 let at = first + row * side + column;
-                grid.indices.extend([at, at + side, at + 1, at + 1, at + side, at + side + 1]);
+                grid.indices
+                    .extend([at, at + side, at + 1, at + 1, at + side, at + side + 1]);
             }
         }
     }
@@ -76,12 +91,21 @@ mod tests {
             let grid = build(camera, [96.0, 544.0]);
             let per_ring = ((CELLS + 1) * (CELLS + 1)) as usize;
             for ring in 0..RINGS as usize - 1 {
-                let next: std::collections::HashSet<[i64; 2]> = grid.vertices[(ring + 1) * per_ring..(ring + 2) * per_ring]
-                    .iter().map(|v| [(v[0] * 1024.0) as i64, (v[1] * 1024.0) as i64]).collect();
-                for (index, v) in grid.vertices[ring * per_ring..(ring + 1) * per_ring].iter().enumerate() {
+                let next: std::collections::HashSet<[i64; 2]> = grid.vertices
+                    [(ring + 1) * per_ring..(ring + 2) * per_ring]
+                    .iter()
+                    .map(|v| [(v[0] * 1024.0) as i64, (v[1] * 1024.0) as i64])
+                    .collect();
+                for (index, v) in grid.vertices[ring * per_ring..(ring + 1) * per_ring]
+                    .iter()
+                    .enumerate()
+                {
                     let (row, column) = (index as i32 / (CELLS + 1), index as i32 % (CELLS + 1));
                     if row == 0 || column == 0 || row == CELLS || column == CELLS {
-                        assert!(next.contains(&[(v[0] * 1024.0) as i64, (v[1] * 1024.0) as i64]), "ring {ring}: {v:?}");
+                        assert!(
+                            next.contains(&[(v[0] * 1024.0) as i64, (v[1] * 1024.0) as i64]),
+                            "ring {ring}: {v:?}"
+                        );
                     }
                 }
             }

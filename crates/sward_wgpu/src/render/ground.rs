@@ -6,7 +6,11 @@ use super::{PipelineParts, Slot, grid, layout, main_pipeline, shader};
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader, after the common ones.
-pub const PARTS: [&str; 3] = [super::HEIGHTS_WGSL, super::SHADOWS_WGSL, include_str!("ground.wgsl")];
+pub const PARTS: [&str; 3] = [
+    super::HEIGHTS_WGSL,
+    super::SHADOWS_WGSL,
+    include_str!("ground.wgsl"),
+];
 
 /// A height field: row-major samples in metres.
 #[derive(Clone, Debug)]
@@ -26,7 +30,13 @@ pub struct Relief {
 impl Relief {
     /// Level ground at `height` metres.
     pub fn flat(height: f32) -> Self {
-        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2] }
+        Self {
+            heights: vec![height],
+            columns: 1,
+            rows: 1,
+            spacing: [1.0; 2],
+            corner: [0.0; 2],
+        }
     }
 
     /// How a frame at `origin` addresses the samples; reduced to one mirrored period so that f32 stays exact far away.
@@ -36,7 +46,12 @@ impl Relief {
             ((origin[axis] - self.corner[axis]) / self.spacing[axis]).rem_euclid(period) as f32
         };
         super::frame::ReliefFrame {
-            mapping: [(1.0 / self.spacing[0]) as f32, (1.0 / self.spacing[1]) as f32, at(0, self.columns), at(1, self.rows)],
+            mapping: [
+                (1.0 / self.spacing[0]) as f32,
+                (1.0 / self.spacing[1]) as f32,
+                at(0, self.columns),
+                at(1, self.rows),
+            ],
             size: [self.columns, self.rows],
         }
     }
@@ -61,51 +76,127 @@ pub(crate) struct GroundPass {
 }
 
 impl GroundPass {
-    pub(crate) fn new(gpu: &Gpu, frame: &wgpu::Buffer, shadow: &super::shadow::ShadowMap, relief: &Relief, turf: TurfUniform) -> Self {
+    pub(crate) fn new(
+        gpu: &Gpu,
+        frame: &wgpu::Buffer,
+        shadow: &super::shadow::ShadowMap,
+        relief: &Relief,
+        turf: TurfUniform,
+    ) -> Self {
         let device = &gpu.device;
         let module = shader(device, "ground", &PARTS);
-        let layout = layout(device, "ground", &[
-            (0, Slot::Uniform), (1, Slot::Storage), (2, Slot::ShadowMap), (3, Slot::Comparison), (4, Slot::Uniform),
-        ]);
-        let pipeline = main_pipeline(device, &PipelineParts {
-            label: "ground",
-            module: &module,
-            layout: &layout,
-            vertex: "ground_vertex",
-            buffers: &[wgpu::VertexBufferLayout { array_stride: 12, step_mode: wgpu::VertexStepMode::Vertex, attributes: &wgpu::vertex_attr_array![0 => Float32x3] }],
-            fragment: Some("ground_fragment"),
-            coverage: false,
-            depth_write: true,
-        });
-        let init = |label, contents, usage| device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage });
-        let heights: &[f32] = if relief.heights.is_empty() { &[0.0] } else { &relief.heights };
-        let heights = init("heights", bytemuck::cast_slice(heights), wgpu::BufferUsages::STORAGE);
-        let turf = init("turf", bytemuck::bytes_of(&turf), wgpu::BufferUsages::UNIFORM);
+        let layout = layout(
+            device,
+            "ground",
+            &[
+                (0, Slot::Uniform),
+                (1, Slot::Storage),
+                (2, Slot::ShadowMap),
+                (3, Slot::Comparison),
+                (4, Slot::Uniform),
+            ],
+        );
+        let pipeline = main_pipeline(
+            device,
+            &PipelineParts {
+                label: "ground",
+                module: &module,
+                layout: &layout,
+                vertex: "ground_vertex",
+                buffers: &[wgpu::VertexBufferLayout {
+                    array_stride: 12,
+                    step_mode: wgpu::VertexStepMode::Vertex,
+                    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
+                }],
+                fragment: Some("ground_fragment"),
+                coverage: false,
+                depth_write: true,
+            },
+        );
+        let init = |label, contents, usage| {
+            device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some(label),
+                contents,
+                usage,
+            })
+        };
+        let heights: &[f32] = if relief.heights.is_empty() {
+            &[0.0]
+        } else {
+            &relief.heights
+        };
+        let heights = init(
+            "heights",
+            bytemuck::cast_slice(heights),
+            wgpu::BufferUsages::STORAGE,
+        );
+        let turf = init(
+            "turf",
+            bytemuck::bytes_of(&turf),
+            wgpu::BufferUsages::UNIFORM,
+        );
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("ground"),
             layout: &layout,
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: heights.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&shadow.view) },
-                wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&shadow.sampler) },
-                wgpu::BindGroupEntry { binding: 4, resource: turf.as_entire_binding() },
+                wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: frame.as_entire_binding(),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 1,
+                    resource: heights.as_entire_binding(),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 2,
+                    resource: wgpu::BindingResource::TextureView(&shadow.view),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 3,
+                    resource: wgpu::BindingResource::Sampler(&shadow.sampler),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 4,
+                    resource: turf.as_entire_binding(),
+                },
             ],
         });
         // All grids have the same number of vertices; holes never make the index list longer than the first.
         let grid = grid::build([0.0; 2], [0.0; 2]);
-        let vertices = init("ground vertices", bytemuck::cast_slice(&grid.vertices), wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST);
-        let indices = init("ground indices", bytemuck::cast_slice(&grid.indices), wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST);
-        Self { pipeline, bindings, vertices, indices, count: grid.indices.len() as u32 }
+        let vertices = init(
+            "ground vertices",
+            bytemuck::cast_slice(&grid.vertices),
+            wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+        );
+        let indices = init(
+            "ground indices",
+            bytemuck::cast_slice(&grid.indices),
+            wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST,
+        );
+        Self {
+            pipeline,
+            bindings,
+            vertices,
+            indices,
+            count: grid.indices.len() as u32,
+        }
     }
 
     /// Moves the grid under the camera.
     pub(crate) fn place(&mut self, gpu: &Gpu, camera: [f32; 2], origin: [f64; 2]) {
-        let phase = [origin[0].rem_euclid(1024.0) as f32, origin[1].rem_euclid(1024.0) as f32];
+        let phase = [
+            origin[0].rem_euclid(1024.0) as f32,
+            origin[1].rem_euclid(1024.0) as f32,
+        ];
         let grid = grid::build(camera, phase);
-        gpu.queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(&grid.vertices));
+        gpu.queue
+            .write_buffer(&self.vertices, 0, bytemuck::cast_slice(&grid.vertices));
         let fits = grid.indices.len().min(self.indices.size() as usize / 4);
-        gpu.queue.write_buffer(&self.indices, 0, bytemuck::cast_slice(&grid.indices[..fits]));
+        gpu.queue.write_buffer(
+            &self.indices,
+            0,
+            bytemuck::cast_slice(&grid.indices[..fits]),
+        );
         self.count = fits as u32;
     }
 

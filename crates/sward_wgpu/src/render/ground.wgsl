@@ -47,7 +47,7 @@ fn ground_fragment(point: GroundPoint) -> @location(0) vec4<f32> {
     let canopy = shading_canopy(leaf, normal, view, light, lit, turf.tip.w) * mix(1.0, grain, 0.6);
     let litter = mix(vec3<f32>(0.060, 0.046, 0.022), leaf * 0.7, 0.55) * grain;
     let shaded = litter * (light.sun_colour * (lit * 0.12 * max(dot(normal, light.sun), 0.0)) + light.sky * 0.20);
-    let colour = mix(canopy, shaded, bare * turf.mean.y);
+    let colour = mix(canopy * mix(1.5, 1.0, turf.mean.y), shaded, bare * turf.mean.y);
     let clear = shading_fog(distance, frame.camera.w);
     return vec4<f32>(mix(frame_air(-view), colour, clear), 1.0);
 }

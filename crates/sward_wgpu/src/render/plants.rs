@@ -64,7 +64,14 @@ impl Look {
             Kind::Reed => ([0.030, 0.060, 0.014], [0.080, 0.165, 0.038], 0.06, 0.60),
             Kind::Tussock => ([0.045, 0.060, 0.016], [0.140, 0.170, 0.048], 0.24, 0.65),
         };
-        Self { kind, root, tip, dryness, through, fade: [70.0, 110.0] }
+        Self {
+            kind,
+            root,
+            tip,
+            dryness,
+            through,
+            fade: [70.0, 110.0],
+        }
     }
 
     /// The picture layer for a chance number in 0..1.
@@ -158,19 +165,51 @@ impl PlantPass {
     pub(crate) fn new(gpu: &Gpu, looks: &[Look]) -> Self {
         let device = &gpu.device;
         let module = shader(device, "plants", &PARTS);
-        let own = [(0, Slot::Uniform), (4, Slot::Storage), (5, Slot::Storage), (6, Slot::Uniform), (7, Slot::Pictures), (8, Slot::Filtering)];
+        let own = [
+            (0, Slot::Uniform),
+            (4, Slot::Storage),
+            (5, Slot::Storage),
+            (6, Slot::Uniform),
+            (7, Slot::Pictures),
+            (8, Slot::Filtering),
+        ];
         let shadow_layout = layout(device, "plant shadows", &own);
-        let main_layout = layout(device, "plants", &[&own[..], &[(2, Slot::ShadowMap), (3, Slot::Comparison)]].concat());
-        let main = main_pipeline(device, &PipelineParts {
-            label: "plants", module: &module, layout: &main_layout, vertex: "plants_vertex", buffers: &[],
-            fragment: Some("plants_fragment"), coverage: true, depth_write: true,
-        });
-        let shadow = shadow_pipeline(device, &PipelineParts {
-            label: "plant shadows", module: &module, layout: &shadow_layout, vertex: "plants_shadow_vertex", buffers: &[],
-            fragment: Some("plants_shadow_fragment"), coverage: false, depth_write: true,
-        });
+        let main_layout = layout(
+            device,
+            "plants",
+            &[&own[..], &[(2, Slot::ShadowMap), (3, Slot::Comparison)]].concat(),
+        );
+        let main = main_pipeline(
+            device,
+            &PipelineParts {
+                label: "plants",
+                module: &module,
+                layout: &main_layout,
+                vertex: "plants_vertex",
+                buffers: &[],
+                fragment: Some("plants_fragment"),
+                coverage: true,
+                depth_write: true,
+            },
+        );
+        let shadow = shadow_pipeline(
+            device,
+            &PipelineParts {
+                label: "plant shadows",
+                module: &module,
+                layout: &shadow_layout,
+                vertex: "plants_shadow_vertex",
+                buffers: &[],
+                fragment: Some("plants_shadow_fragment"),
+                coverage: false,
+                depth_write: true,
+            },
+        );
         Self {
-            main, shadow, main_layout, shadow_layout,
+            main,
+            shadow,
+            main_layout,
+            shadow_layout,
             clumps: ClumpTexture::new(gpu),
             looks: looks.to_vec(),
             styles: HashMap::new(),
@@ -179,33 +218,93 @@ impl PlantPass {
     }
 
     /// Makes what the batches need; batches with an unknown look or shape are left out.
-    pub(crate) fn ready<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, draws: &PlantDraws<'a>) -> ReadyPlants<'a> {
+    pub(crate) fn ready<'a>(
+        &mut self,
+        gpu: &Gpu,
+        frame: &wgpu::Buffer,
+        map: &ShadowMap,
+        draws: &PlantDraws<'a>,
+    ) -> ReadyPlants<'a> {
         let fits = |batch: &&PlantBatch<'_>| {
-            batch.look < self.looks.len() && (1..=MOST_SEGMENTS).contains(&batch.segments) && (1..=MOST_CARDS).contains(&batch.cards)
+            batch.look < self.looks.len()
+                && (1..=MOST_SEGMENTS).contains(&batch.segments)
+                && (1..=MOST_CARDS).contains(&batch.cards)
         };
         let batches: Vec<PlantBatch<'a>> = draws.batches.iter().filter(fits).copied().collect();
-        ReadyPlants(batches.into_iter().map(|batch| self.ready_batch(gpu, frame, map, batch)).collect())
+        ReadyPlants(
+            batches
+                .into_iter()
+                .map(|batch| self.ready_batch(gpu, frame, map, batch))
+                .collect(),
+        )
     }
 
-    fn ready_batch<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, batch: PlantBatch<'a>) -> Ready<'a> {
+    fn ready_batch<'a>(
+        &mut self,
+        gpu: &Gpu,
+        frame: &wgpu::Buffer,
+        map: &ShadowMap,
+        batch: PlantBatch<'a>,
+    ) -> Ready<'a> {
         let device = &gpu.device;
-        self.indices.entry((batch.segments, batch.cards)).or_insert_with(|| index_buffer(device, batch.segments, batch.cards));
+        self.indices
+            .entry((batch.segments, batch.cards))
+            .or_insert_with(|| index_buffer(device, batch.segments, batch.cards));
         let look = &self.looks[batch.look];
-        let style = self.styles.entry((batch.look, batch.segments, batch.cards)).or_insert_with(|| style_buffer(device, look, &batch));
+        let style = self
+            .styles
+            .entry((batch.look, batch.segments, batch.cards))
+            .or_insert_with(|| style_buffer(device, look, &batch));
         let own = [
-            wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 4, resource: batch.plants.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 5, resource: batch.joints.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 6, resource: style.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 7, resource: wgpu::BindingResource::TextureView(&self.clumps.view) },
-            wgpu::BindGroupEntry { binding: 8, resource: wgpu::BindingResource::Sampler(&self.clumps.sampler) },
+            wgpu::BindGroupEntry {
+                binding: 0,
+                resource: frame.as_entire_binding(),
+            },
+            wgpu::BindGroupEntry {
+                binding: 4,
+                resource: batch.plants.as_entire_binding(),
+            },
+            wgpu::BindGroupEntry {
+                binding: 5,
+                resource: batch.joints.as_entire_binding(),
+            },
+            wgpu::BindGroupEntry {
+                binding: 6,
+                resource: style.as_entire_binding(),
+            },
+            wgpu::BindGroupEntry {
+                binding: 7,
+                resource: wgpu::BindingResource::TextureView(&self.clumps.view),
+            },
+            wgpu::BindGroupEntry {
+                binding: 8,
+                resource: wgpu::BindingResource::Sampler(&self.clumps.sampler),
+            },
         ];
-        let shadow = device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("plant shadows"), layout: &self.shadow_layout, entries: &own });
+        let shadow = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("plant shadows"),
+            layout: &self.shadow_layout,
+            entries: &own,
+        });
         let mut all = own.to_vec();
-        all.push(wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&map.view) });
-        all.push(wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&map.sampler) });
-        let main = device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("plants"), layout: &self.main_layout, entries: &all });
-        Ready { batch, main, shadow }
+        all.push(wgpu::BindGroupEntry {
+            binding: 2,
+            resource: wgpu::BindingResource::TextureView(&map.view),
+        });
+        all.push(wgpu::BindGroupEntry {
+            binding: 3,
+            resource: wgpu::BindingResource::Sampler(&map.sampler),
+        });
+        let main = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("plants"),
+            layout: &self.main_layout,
+            entries: &all,
+        });
+        Ready {
+            batch,
+            main,
+            shadow,
+        }
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, plants: &ReadyPlants<'_>) {
@@ -225,11 +324,17 @@ impl PlantPass {
     }
 
     fn draw_batch(&self, pass: &mut wgpu::RenderPass<'_>, batch: &PlantBatch<'_>) {
-        let Some(indices) = self.indices.get(&(batch.segments, batch.cards)) else { return };
+        let Some(indices) = self.indices.get(&(batch.segments, batch.cards)) else {
+            return;
+        };
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint16);
         match batch.count {
             PlantCount::Direct(count) => {
-                pass.draw_indexed(0..index_count(batch.segments, batch.cards), 0, 0..count.div_ceil(PLANTS_PER_INSTANCE));
+                pass.draw_indexed(
+                    0..index_count(batch.segments, batch.cards),
+                    0,
+                    0..count.div_ceil(PLANTS_PER_INSTANCE),
+                );
             }
             PlantCount::Indirect(buffer, offset) => pass.draw_indexed_indirect(buffer, offset),
         }
@@ -257,8 +362,18 @@ fn style_buffer(device: &wgpu::Device, look: &Look, batch: &PlantBatch<'_>) -> w
     let style = StyleUniform {
         root: [look.root[0], look.root[1], look.root[2], look.dryness],
         tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
-        mean: [1.0 - 0.88 * closed, 1.6 * closed, look.fade[0], look.fade[1]],
-        shape: [batch.segments, batch.cards, 2 * (batch.segments + 1) * batch.cards, PLANTS_PER_INSTANCE],
+        mean: [
+            1.0 - 0.88 * closed,
+            1.6 * closed,
+            look.fade[0],
+            look.fade[1],
+        ],
+        shape: [
+            batch.segments,
+            batch.cards,
+            2 * (batch.segments + 1) * batch.cards,
+            PLANTS_PER_INSTANCE,
+        ],
     };
     device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: Some("plant style"),

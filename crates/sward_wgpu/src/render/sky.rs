@@ -16,20 +16,26 @@ impl SkyPass {
         let device = &gpu.device;
         let module = shader(device, "sky", &PARTS);
         let layout = layout(device, "sky", &[(0, Slot::Uniform)]);
-        let pipeline = main_pipeline(device, &PipelineParts {
-            label: "sky",
-            module: &module,
-            layout: &layout,
-            vertex: "sky_vertex",
-            buffers: &[],
-            fragment: Some("sky_fragment"),
-            coverage: false,
-            depth_write: false,
-        });
+        let pipeline = main_pipeline(
+            device,
+            &PipelineParts {
+                label: "sky",
+                module: &module,
+                layout: &layout,
+                vertex: "sky_vertex",
+                buffers: &[],
+                fragment: Some("sky_fragment"),
+                coverage: false,
+                depth_write: false,
+            },
+        );
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("sky"),
             layout: &layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() }],
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: frame.as_entire_binding(),
+            }],
         });
         Self { pipeline, bindings }
     }
