@@ -324,7 +324,8 @@ fn track(p: Vec2, chance: f32) -> Vec2 {
     let out = p - CIRCLE.0;
     let angle = out.to_angle();
     let behind = (ARRIVED - angle).rem_euclid(std::f32::consts::TAU);
-    if behind > 3.6 && (angle - ARRIVED) * CIRCLE.1 > 2.3 || behind > 3.6 && angle < ARRIVED {
+    let under = (0.0..=2.3).contains(&((angle - ARRIVED) * CIRCLE.1));
+    if behind > 3.6 && !under {
         return Vec2::ZERO;
     }
     let offset = out.length() - CIRCLE.1;

@@ -2,3 +2,4 @@
 
 pub mod mesh;
 pub mod truck;
+mod wheel;

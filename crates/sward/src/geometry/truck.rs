@@ -3,6 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::mesh::{Material, Mesh, PAINT};
+use super::wheel::{WHEEL_RADIUS, wheel};
 
 const GLASS: Material = Material {
     colour: [0.012, 0.016, 0.018],
@@ -10,29 +11,17 @@ const GLASS: Material = Material {
     roughness: 0.06,
     gloss: 0.10,
 };
-const RUBBER: Material = Material {
-    colour: [0.018, 0.017, 0.016],
-    paint: 0.0,
-    roughness: 0.9,
-    gloss: 0.03,
-};
 const PLASTIC: Material = Material {
     colour: [0.03, 0.03, 0.032],
     paint: 0.0,
     roughness: 0.55,
     gloss: 0.04,
 };
-const DARK: Material = Material {
+pub(super) const DARK: Material = Material {
     colour: [0.008, 0.008, 0.008],
     paint: 0.0,
     roughness: 1.0,
     gloss: 0.01,
-};
-const RIM: Material = Material {
-    colour: [0.50, 0.50, 0.49],
-    paint: 0.0,
-    roughness: 0.32,
-    gloss: 0.45,
 };
 const CHROME: Material = Material {
     colour: [0.55, 0.56, 0.57],
@@ -61,7 +50,6 @@ const AMBER: Material = Material {
 
 /// Distance of the axles from the middle, metres: rear, front.
 const AXLES: [f32; 2] = [-1.42, 1.50];
-const WHEEL_RADIUS: f32 = 0.39;
 const ARCH_RADIUS: f32 = 0.47;
 /// Half width of the body.
 const HALF: f32 = 0.96;
@@ -403,71 +391,5 @@ fn sides(mesh: &mut Mesh) {
             PLASTIC,
             mesh,
         );
-    }
-}
-
-fn wheel(mesh: &mut Mesh, z: f32, side: f32) {
-    let centre = Vec3::new(side * 0.82, WHEEL_RADIUS, z);
-    let half = 0.125;
-    let rim = 0.60 * WHEEL_RADIUS;
-    let tyre = [
-        Vec2::new(-half, rim),
-        Vec2::new(-half - 0.008, 0.80 * WHEEL_RADIUS),
-        Vec2::new(-half + 0.02, 0.955 * WHEEL_RADIUS),
-        Vec2::new(-half + 0.06, WHEEL_RADIUS),
-        Vec2::new(half - 0.06, WHEEL_RADIUS),
-        Vec2::new(half - 0.02, 0.955 * WHEEL_RADIUS),
-        Vec2::new(half + 0.008, 0.80 * WHEEL_RADIUS),
-        Vec2::new(half, rim),
-    ];
-    mesh.lathe(&tyre, centre, 24, RUBBER);
-    let face = |profile: &[[f32; 2]], out: f32| {
-        let mut line: Vec<Vec2> = profile
-            .iter()
-            .map(|&[inwards, radius]| Vec2::new(out * (half - inwards), radius))
-            .collect();
-        if out < 0.0 {
-            line.reverse();
-        }
-        line
-    };
-    // Rim: a lip, a dish behind the spokes, a hub; the hidden side has only the dish.
-    let (lip, dish) = (
-        [[0.0, rim], [0.02, rim - 0.03], [0.06, rim - 0.035]],
-        [[0.06, rim - 0.035], [0.07, 0.0]],
-    );
-    mesh.lathe(&face(&lip, side), centre, 24, RIM);
-    mesh.lathe(&face(&dish, side), centre, 16, DARK);
-    mesh.lathe(
-        &face(&[[0.05, 0.075], [0.012, 0.055], [0.005, 0.0]], side),
-        centre,
-        10,
-        RIM,
-    );
-    mesh.lathe(&face(&[[0.0, rim], [0.04, 0.0]], -side), centre, 16, DARK);
-    spokes(
-        mesh,
-        centre + Vec3::X * (side * (half - 0.03)),
-        rim - 0.03,
-        side,
-    );
-}
-
-fn spokes(mesh: &mut Mesh, centre: Vec3, radius: f32, side: f32) {
-    for spoke in 0..6 {
-        let (s, c) = (std::f32::consts::TAU * spoke as f32 / 6.0).sin_cos();
-        let out = Vec3::new(0.0, c, s);
-        let across = Vec3::new(0.0, -s, c) * 0.036;
-        let top = Vec3::X * (side * 0.012);
-        let mut face = vec![
-            centre + out * 0.05 - across + top,
-            centre + out * radius - 0.7 * across,
-            centre + out * radius + 0.7 * across,
-            centre + out * 0.05 + across + top,
-        ];
-        if side < 0.0 {
-            face.reverse();
-        }
-        mesh.polygon(&face, RIM);
     }
 }
