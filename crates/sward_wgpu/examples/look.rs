@@ -50,7 +50,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         "tussock" => Kind::Tussock,
         _ => Kind::Meadow,
     };
-    let looks = vec![Look::of(kind), Look::of(Kind::Tussock)];
+    let fade = options.number("fade", 110.0);
+    let looks = vec![Look { fade: [0.64 * fade, fade], ..Look::of(kind) }];
     let mut renderer = Renderer::new(&gpu, &Setup { relief: ground.0.clone(), looks: looks.clone(), ..Setup::default() })?;
     let mesh = renderer.add_mesh(&gpu, &truck());
     println!("set up in {:?} on {}", start.elapsed(), gpu.adapter_info.name);
@@ -59,8 +60,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let body = place_truck(&ground, mesh);
     let start = Instant::now();
     let scene = Scene { ground: &ground, view: &view, look: looks[0], fade: looks[0].fade[1] };
-    let near = scene.plants(0.0, 40.0, segments(kind));
-    let far = scene.plants(40.0, scene.fade, 1);
+    let split = options.number("split", 40.0);
+    let near = scene.plants(0.0, split, segments(kind));
+    let far = scene.plants(split, scene.fade, 1);
     println!("{} + {} plants in {:?}", near.0.len(), far.0.len(), start.elapsed());
     let near_buffers = upload(&gpu, &near);
     let far_buffers = upload(&gpu, &far);
@@ -70,7 +72,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let batches = [
         batch("near", &near_buffers.0, &near_buffers.1, near.0.len() as u32, segments(kind), true),
-        batch("far", &far_buffers.0, &far_buffers.1, far.0.len() as u32, 1, false),
+        batch("far", &far_buffers.0, &far_buffers.1, far.0.len() as u32, 1, true),
     ];
     let input = FrameInput {
         view,
@@ -93,9 +95,24 @@ fn main() -> Result<(), Box<dyn Error>> {
         renderer.draw(&gpu, &input, &PlantDraws { batches: &batches }, size)?;
         let picture = renderer.read(&gpu)?;
         println!("picture {pass} in {:?}", start.elapsed());
+        report(&options, &picture);
         image::save_buffer(&out, &picture.rgba8, picture.width, picture.height, image::ColorType::Rgba8)?;
     }
     Ok(())
+}
+
+/// Prints the mean code values of a part of the picture: `mean=x0,y0,x1,y1` in pixels.
+fn report(options: &Options, picture: &sward_wgpu::picture::Picture) {
+    let corners: Vec<u32> = options.text("mean", "").split(',').filter_map(|number| number.parse().ok()).collect();
+    if let [x0, y0, x1, y1] = corners[..] {
+        let pixels = (y0..y1).flat_map(|y| (x0..x1).map(move |x| 4 * (y * picture.width + x) as usize));
+        let mut sum = [0u64; 4];
+        for at in pixels {
+            (0..3).for_each(|c| sum[c] += u64::from(picture.rgba8[at + c]));
+            sum[3] += 1;
+        }
+        println!("mean {:?}", [0, 1, 2].map(|c| sum[c] / sum[3].max(1)));
+    }
 }
 
 fn segments(kind: Kind) -> u32 {
@@ -200,7 +217,8 @@ fn track(p: Vec2, chance: f32) -> Vec2 {
     let out = p - CIRCLE.0;
     let angle = out.to_angle();
     let behind = (ARRIVED - angle).rem_euclid(std::f32::consts::TAU);
-    if behind > 3.6 && (angle - ARRIVED) * CIRCLE.1 > 2.3 || behind > 3.6 && angle < ARRIVED {
+    let under = (0.0..=2.3).contains(&((angle - ARRIVED) * CIRCLE.1));
+    if behind > 3.6 && !under {
         return Vec2::ZERO;
     }
     let offset = out.length() - CIRCLE.1;
@@ -268,7 +286,7 @@ impl Scene<'_> {
         let ahead = Vec2::new(ahead.x, ahead.z).normalize_or(Vec2::Y);
         let out = 0.25 * Vec2::new(i as f32, j as f32);
         let turn = out.angle_to(ahead).abs();
-        out.length() < 3.0 || turn < 0.75 || out.length() < 40.0 && turn < 1.2
+        out.length() < 3.0 || turn < 0.95 || out.length() < 40.0 && turn < 1.2
     }
 
     fn add(&self, plants: &mut Plants, [i, j]: [i32; 2], step: f32, segments: u32) {
@@ -276,7 +294,7 @@ impl Scene<'_> {
         let p = step * Vec2::new(i as f32 + chance(1), j as f32 + chance(2));
         let root = Vec3::new(p.x, self.ground.height(p.x, p.y), p.y);
         let (low, width) = match self.look.kind {
-            Kind::Lawn => (0.05, 0.30),
+            Kind::Lawn => (0.06, 0.24),
             Kind::Meadow => (0.40, 0.55),
             Kind::Reed => (1.20, 0.60),
             Kind::Tussock => (0.32, 0.50),

@@ -79,7 +79,8 @@ impl Gpu {
     pub async fn open(wanted: Option<&str>) -> Result<Self, GpuError> {
         let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
         descriptor.flags = if std::env::var_os("SWARD_VALIDATION").is_some_and(|value| value == "1") {
-            wgpu::InstanceFlags::VALIDATION | wgpu::InstanceFlags::DEBUG
+            // Not DEBUG: it names WGSL as the source language inside the SPIR-V, which layers before 2023 refuse.
+            wgpu::InstanceFlags::VALIDATION
         } else {
             wgpu::InstanceFlags::empty()
         };

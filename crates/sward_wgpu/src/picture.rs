@@ -6,7 +6,8 @@ use crate::gpu::{Gpu, GpuError};
 use crate::render::bodies::BodyPass;
 use crate::render::frame::{FrameInput, FrameUniform};
 use crate::render::ground::{GroundPass, Relief, TurfUniform};
-use crate::render::plants::{Look, PlantDraws, PlantPass};
+use crate::render::plant_pass::PlantPass;
+use crate::render::plants::{Look, PlantDraws};
 use crate::render::shadow::ShadowMap;
 use crate::render::sky::SkyPass;
 use crate::render::targets::{Resolve, Targets};
@@ -171,6 +172,6 @@ fn turf(look: &Look) -> TurfUniform {
     TurfUniform {
         root: [look.root[0], look.root[1], look.root[2], (look.dryness + mean[1]).min(1.0)],
         tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
-        mean: [mean[0], 1.0, look.fade[1], 0.0],
+        mean: [mean[0], look.cover(), look.fade[1], 0.0],
     }
 }

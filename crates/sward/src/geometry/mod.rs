@@ -5,3 +5,4 @@
 pub mod billboard;
 pub mod mesh;
 pub mod truck;
+mod wheel;

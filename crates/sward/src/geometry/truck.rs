@@ -3,12 +3,11 @@
 use glam::{Vec2, Vec3};
 
 use super::mesh::{Material, Mesh, PAINT};
+use super::wheel::{WHEEL_RADIUS, wheel};
 
 const GLASS: Material = Material { colour: [0.012, 0.016, 0.018], paint: 0.0, roughness: 0.06, gloss: 0.10 };
-const RUBBER: Material = Material { colour: [0.018, 0.017, 0.016], paint: 0.0, roughness: 0.9, gloss: 0.03 };
 const PLASTIC: Material = Material { colour: [0.03, 0.03, 0.032], paint: 0.0, roughness: 0.55, gloss: 0.04 };
-const DARK: Material = Material { colour: [0.008, 0.008, 0.008], paint: 0.0, roughness: 1.0, gloss: 0.01 };
-const RIM: Material = Material { colour: [0.50, 0.50, 0.49], paint: 0.0, roughness: 0.32, gloss: 0.45 };
+pub(super) const DARK: Material = Material { colour: [0.008, 0.008, 0.008], paint: 0.0, roughness: 1.0, gloss: 0.01 };
 const CHROME: Material = Material { colour: [0.55, 0.56, 0.57], paint: 0.0, roughness: 0.16, gloss: 0.7 };
 const LAMP: Material = Material { colour: [0.75, 0.76, 0.72], paint: 0.0, roughness: 0.12, gloss: 0.25 };
 const RED: Material = Material { colour: [0.40, 0.015, 0.012], paint: 0.0, roughness: 0.2, gloss: 0.08 };
@@ -16,7 +15,6 @@ const AMBER: Material = Material { colour: [0.65, 0.22, 0.02], paint: 0.0, rough
 
 /// Distance of the axles from the middle, metres: rear, front.
 const AXLES: [f32; 2] = [-1.42, 1.50];
-const WHEEL_RADIUS: f32 = 0.39;
 const ARCH_RADIUS: f32 = 0.47;
 /// Half width of the body.
 const HALF: f32 = 0.96;
@@ -179,57 +177,5 @@ fn sides(mesh: &mut Mesh) {
             span([z - 0.006, z + 0.006], [0.50, 1.06], [0.95, 0.9635], 0.001, DARK, mesh);
         }
         span([-0.90, 0.98], [0.60, 0.64], [0.95, 0.972], 0.01, PLASTIC, mesh);
-    }
-}
-
-fn wheel(mesh: &mut Mesh, z: f32, side: f32) {
-    let centre = Vec3::new(side * 0.82, WHEEL_RADIUS, z);
-    let half = 0.125;
-    let rim = 0.60 * WHEEL_RADIUS;
-    let tyre = [
-        Vec2::new(-half, rim),
-        Vec2::new(-half - 0.008, 0.80 * WHEEL_RADIUS),
-        Vec2::new(-half + 0.02, 0.955 * WHEEL_RADIUS),
-        Vec2::new(-half + 0.06, WHEEL_RADIUS),
-        Vec2::new(half - 0.06, WHEEL_RADIUS),
-        Vec2::new(half - 0.02, 0.955 * WHEEL_RADIUS),
-        Vec2::new(half + 0.008, 0.80 * WHEEL_RADIUS),
-        Vec2::new(half, rim),
-    ];
-    mesh.lathe(&tyre, centre, 28, RUBBER);
-    // Rim: a lip, a dish behind the spokes, a hub; the same on the hidden side.
-    for face in [-1.0f32, 1.0] {
-        let out = face * half;
-        let mut lip = vec![Vec2::new(out, rim), Vec2::new(out - face * 0.02, rim - 0.03), Vec2::new(out - face * 0.06, rim - 0.035)];
-        let mut dish = vec![Vec2::new(out - face * 0.06, rim - 0.035), Vec2::new(out - face * 0.07, 0.0)];
-        let mut hub = vec![Vec2::new(out - face * 0.05, 0.075), Vec2::new(out - face * 0.012, 0.055), Vec2::new(out - face * 0.005, 0.0)];
-        if face < 0.0 {
-            for line in [&mut lip, &mut dish, &mut hub] {
-                line.reverse();
-            }
-        }
-        mesh.lathe(&lip, centre, 28, RIM);
-        mesh.lathe(&dish, centre, 20, DARK);
-        mesh.lathe(&hub, centre, 12, RIM);
-    }
-    spokes(mesh, centre + Vec3::X * (side * (half - 0.03)), rim - 0.03, side);
-}
-
-fn spokes(mesh: &mut Mesh, centre: Vec3, radius: f32, side: f32) {
-    for spoke in 0..6 {
-        let (s, c) = (std::f32::consts::TAU * spoke as f32 / 6.0).sin_cos();
-        let out = Vec3::new(0.0, c, s);
-        let across = Vec3::new(0.0, -s, c) * 0.036;
-        let top = Vec3::X * (side * 0.012);
-        let mut face = vec![
-            centre + out * 0.05 - across + top,
-            centre + out * radius - 0.7 * across,
-            centre + out * radius + 0.7 * across,
-            centre + out * 0.05 + across + top,
-        ];
-        if side < 0.0 {
-            face.reverse();
-        }
-        mesh.polygon(&face, RIM);
     }
 }

@@ -10,9 +10,6 @@ pub const SIDE: usize = 256;
 pub const VARIANTS: u32 = 4;
 /// Mip levels of a clump picture: 256, 128, … 1.
 pub const LEVELS: usize = 9;
-/// Alpha at which a texel counts as covered.
-const CUTOFF: u8 = 128;
-
 /// What grows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
@@ -61,12 +58,12 @@ struct Habit {
 fn habit(kind: Kind) -> Habit {
     match kind {
         Kind::Lawn => Habit {
-            blades: 44,
+            blades: 130,
             heads: 0,
-            half_width: [2.6, 4.4],
+            half_width: [0.8, 1.5],
             height: [0.45, 0.97],
-            roots: 0.46,
-            lean: 0.16,
+            roots: 0.47,
+            lean: 0.07,
             droop: [0.0, 0.12],
             dryness: [0.0, 0.35],
             plume: 0.0,
@@ -83,12 +80,12 @@ fn habit(kind: Kind) -> Habit {
             plume: 0.15,
         },
         Kind::Reed => Habit {
-            blades: 24,
-            heads: 3,
-            half_width: [2.4, 4.6],
-            height: [0.50, 0.94],
-            roots: 0.30,
-            lean: 0.30,
+            blades: 40,
+            heads: 2,
+            half_width: [1.2, 2.5],
+            height: [0.45, 0.94],
+            roots: 0.32,
+            lean: 0.34,
             droop: [0.05, 0.42],
             dryness: [0.0, 0.45],
             plume: 0.17,
@@ -207,7 +204,7 @@ impl Clump {
 
     /// Small spikelets around the upper end of a stem.
     fn draw_plume(&mut self, stem: &Stroke, length: f32, kind: Kind, dice: &mut Dice) {
-        let (spikelets, spread, radius) = if kind == Kind::Reed { (90, 0.035, 1.5) } else { (44, 0.017, 0.75) };
+        let (spikelets, spread, radius) = if kind == Kind::Reed { (80, 0.026, 0.85) } else { (44, 0.017, 0.75) };
         for _ in 0..spikelets {
             let along = dice.unit();
             let [x, y] = stem.point(1.0 - along * length / stem.height.max(0.1));
@@ -274,57 +271,4 @@ impl Clump {
         let cover = sum[3] / (255.0 * self.rgba.len().max(1) as f64);
         [(sum[0] / weight) as f32, (sum[1] / weight) as f32, (sum[2] / weight) as f32, cover as f32]
     }
-
-    /// The picture and its smaller copies down to 1 × 1, as bytes.
-    ///
-    /// Plain averaging makes thin blades vanish with distance; each level's alpha is scaled until the same share of the card
-    /// stays covered.
-    pub fn levels(&self) -> Vec<Vec<u8>> {
-        let target = covered(&self.rgba, 1.0);
-        let mut level = self.rgba.clone();
-        let mut chain = vec![level.concat()];
-        while level.len() > 1 {
-            level = halve(&level);
-            let gain = gain_for(&level, target);
-            let shown: Vec<[u8; 4]> = level.iter().map(|t| [t[0], t[1], t[2], (f32::from(t[3]) * gain).min(255.0) as u8]).collect();
-            chain.push(shown.concat());
-        }
-        chain
-    }
-}
-
-/// Halves a square picture; paint counts by its coverage.
-fn halve(texels: &[[u8; 4]]) -> Vec<[u8; 4]> {
-    let side = texels.len().isqrt();
-    let half = side / 2;
-    let mut out = Vec::with_capacity(half * half);
-    for row in 0..half {
-        for column in 0..half {
-            let at = 2 * row * side + 2 * column;
-            let four = [texels[at], texels[at + 1], texels[at + side], texels[at + side + 1]];
-            let weight: u32 = four.iter().map(|t| u32::from(t[3]) + 1).sum();
-            let mean = |channel: usize| {
-                let sum: u32 = four.iter().map(|t| u32::from(t[channel]) * (u32::from(t[3]) + 1)).sum();
-                (sum / weight) as u8
-            };
-            out.push([mean(0), mean(1), mean(2), ((weight - 4) / 4) as u8]);
-        }
-    }
-    out
-}
-
-/// Share of texels whose alpha times `gain` reaches the cutoff.
-fn covered(texels: &[[u8; 4]], gain: f32) -> f32 {
-    let count = texels.iter().filter(|t| f32::from(t[3]) * gain >= f32::from(CUTOFF)).count();
-    count as f32 / texels.len().max(1) as f32
-}
-
-fn gain_for(texels: &[[u8; 4]], target: f32) -> f32 {
-    let (mut low, mut high) = (0.25, 8.0);
-    for _ in 0..14 {
-        let middle = 0.5 * (low + high);
-        if covered(texels, middle) < target { low = middle } else { high = middle }
-    }
-    // Very small levels cannot hit the share exactly; they must not turn solid.
-    high.min(4.0)
 }

@@ -51,7 +51,7 @@ fn shading_tone(radiance: vec3<f32>) -> vec3<f32> {
     let washed = mix(vivid, vec3<f32>(luminance), luminance / (luminance + 14.0));
     let shoulder = 1.0 - exp(-washed);
     let toe = washed / (washed + 0.055);
-    return clamp(shoulder * mix(toe, vec3<f32>(1.0), 0.35), vec3<f32>(0.0), vec3<f32>(1.0));
+    return clamp(shoulder * mix(toe, vec3<f32>(1.0), 0.5), vec3<f32>(0.0), vec3<f32>(1.0));
 }
 
 // Linear display value -> sRGB code value.

@@ -20,9 +20,9 @@ fn shading_canopy(albedo: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, light: 
     let front = 0.75 * split.x + 0.25 * top;
     // Looking down, one sees the shaded depth between the tips.
     let depth = 1.0 - 0.45 * max(dot(normal, view), 0.0);
-    let passed = albedo * vec3<f32>(1.15, 1.35, 0.40) * (through * 0.75 * split.y);
+    let passed = albedo * vec3<f32>(1.15, 1.35, 0.40) * (through * 0.64 * split.y);
     let sky = mix(light.ground, light.sky, 0.62);
-    return (light.sun_colour * (lit * 0.3183 * 0.8) * (albedo * front + passed) + albedo * sky * 0.72) * depth;
+    return (light.sun_colour * (lit * 0.3183 * 0.33) * (albedo * front + passed) + albedo * sky * 0.45) * depth;
 }
 
 // Brightness pattern of turf, about 1; waves shorter than `footprint` metres (one pixel on the ground) are left out.
@@ -32,5 +32,6 @@ fn shading_turf(p: vec2<f32>, footprint: f32) -> f32 {
     sum += (shading_noise(p * 2.0, 2048, 22u) - 0.5) * 0.40 * (1.0 - smoothstep(0.12, 0.5, footprint));
     sum += (shading_noise(p * 8.0, 8192, 23u) - 0.5) * 0.50 * (1.0 - smoothstep(0.03, 0.12, footprint));
     sum += (shading_noise(p * 32.0, 32768, 24u) - 0.5) * 0.60 * (1.0 - smoothstep(0.008, 0.03, footprint));
-    return 1.0 + sum;
+    sum += (shading_noise(p * vec2<f32>(128.0, 64.0), 65536, 25u) - 0.5) * 0.9 * (1.0 - smoothstep(0.003, 0.012, footprint));
+    return max(1.0 + sum, 0.15);
 }

@@ -4,6 +4,7 @@
 //! [`WGSL`], before a host's own entry points.
 
 pub mod clump;
+mod clump_levels;
 pub mod sky;
 
 /// Noise, air, tone curve: what all other shading text uses.

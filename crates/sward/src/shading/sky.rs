@@ -79,7 +79,7 @@ impl Light {
             }
         }
         // Clouds and all that single scattering leaves out brighten the shade.
-        let sky = sum / weights * strength * (1.35 + 0.4 * clouds);
+        let sky = sum / weights * strength * (1.55 + 0.4 * clouds);
         let ground = Vec3::new(0.10, 0.12, 0.05) * (sky + sun_colour * (sun.y.max(0.0) / std::f32::consts::PI));
         Self { sun, sun_colour, sky, ground }
     }

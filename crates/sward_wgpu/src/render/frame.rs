@@ -128,7 +128,7 @@ impl FrameUniform {
             shadow: shadow_matrix(input.focus, sun.sun, shadow_reach),
             right: (right * half * aspect).extend(2.0 * half / size[1].max(1) as f32),
             up: (up * half).extend(input.time.rem_euclid(4096.0) as f32),
-            forward: ahead.extend(light.exposure.exp2() * EXPOSURE),
+            forward: ahead.extend(light.exposure.exp2() * base_exposure(&sun)),
             camera: view.position.extend(light.fog),
             phase: Vec4::new(phase.x, phase.y, drift, 0.4 * drift),
             sun: sun.sun.extend(light.haze),
@@ -141,8 +141,11 @@ impl FrameUniform {
     }
 }
 
-/// Brings the renderer's unit to a well-exposed evening at 0 EV.
-const EXPOSURE: f32 = 1.4;
+/// What 0 EV means: a well-exposed evening. A photographer opens up as the light goes, but less than the light goes.
+fn base_exposure(light: &Light) -> f32 {
+    let brightness = (0.2 * light.sun_colour + std::f32::consts::PI * light.sky).dot(Vec3::new(0.2126, 0.7152, 0.0722));
+    1.4 * (3.0 / brightness.max(0.05)).powf(0.6).clamp(0.4, 4.0)
+}
 
 /// Frame space to shadow map (xy 0..1, v down; z depth 0..1) for a sun in direction `sun`.
 fn shadow_matrix(focus: Vec3, sun: Vec3, reach: f32) -> Mat4 {

@@ -46,8 +46,8 @@ fn ground_fragment(point: GroundPoint) -> @location(0) vec4<f32> {
     let bare = 1.0 - smoothstep(0.35 * turf.mean.z, 0.9 * turf.mean.z, distance);
     let canopy = shading_canopy(leaf, normal, view, light, lit, turf.tip.w) * mix(1.0, grain, 0.6);
     let litter = mix(vec3<f32>(0.060, 0.046, 0.022), leaf * 0.7, 0.55) * grain;
-    let shaded = litter * (light.sun_colour * (lit * 0.3183 * max(dot(normal, light.sun), 0.0)) + light.sky * 0.55);
-    let colour = mix(canopy, mix(canopy, shaded, 0.8), bare * turf.mean.y);
+    let shaded = litter * (light.sun_colour * (lit * 0.12 * max(dot(normal, light.sun), 0.0)) + light.sky * 0.20);
+    let colour = mix(canopy * mix(1.5, 1.0, turf.mean.y), shaded, bare * turf.mean.y);
     let clear = shading_fog(distance, frame.camera.w);
     return vec4<f32>(mix(frame_air(-view), colour, clear), 1.0);
 }

@@ -12,26 +12,18 @@ struct Plant {
 struct Style {
     root: vec4<f32>,  // rgb; w = dryness added to every leaf
     tip: vec4<f32>,   // rgb; w = share of light let through
-    mean: vec4<f32>,  // x mean shade, y mean dryness of the picture, zw = distances where plants begin to fade and are gone
+    mean: vec4<f32>,  // x share of the sky seen by roots, y how fast sunlight fades towards them, zw = distances where plants begin to fade and are gone
     shape: vec4<u32>, // segments, cards, vertices per plant, plants per instance
 }
+
+// Share of the sun that neighbours leave to a leaf, on average: holds where the shadow map does not reach.
+const PLANTS_MEAN_LIT: f32 = 0.62;
 
 @group(0) @binding(4) var<storage, read> plants: array<Plant>;
 @group(0) @binding(5) var<storage, read> joints: array<vec4<f32>>;
 @group(0) @binding(6) var<uniform> style: Style;
 @group(0) @binding(7) var clumps: texture_2d_array<f32>;
 @group(0) @binding(8) var clump_sampler: sampler;
-
-struct Leaf {
-    @builtin(position) position: vec4<f32>,
-    @location(0) place: vec3<f32>,
-    @location(1) across: vec3<f32>, // along the card, unit
-    @location(2) facing: vec3<f32>, // out of the card, unit
-    @location(3) card: vec4<f32>,   // u, v, along 0..1, how much it lies down 0..1
-    @location(4) patchwork: vec4<f32>, // shading_patchwork, tint
-    @location(5) air: vec4<f32>,    // light the air adds, and what it leaves of the leaf's
-    @location(6) @interpolate(flat) layer: u32,
-}
 
 struct Bent { place: vec3<f32>, across: vec3<f32>, facing: vec3<f32>, along: f32, side: f32, lying: f32 }
 
@@ -62,95 +54,15 @@ fn plants_bend(plant: Plant, index: u32, corner: u32, keep: f32) -> Bent {
     return Bent(place, across, normalize(cross(across, tangent)), f32(joint) / f32(segments), side, lying);
 }
 
+// Whether the whole plant lies outside the picture's sides or behind the eye, cheaply and on the safe side.
+fn plants_unseen(plant: Plant) -> bool {
+    let clip = frame.view_projection * vec4<f32>(plant.root, 1.0);
+    let reach = plant.height + plant.width;
+    let stretch = length(vec3<f32>(frame.view_projection[0].x, frame.view_projection[1].x, frame.view_projection[2].x));
+    return clip.w < -reach || abs(clip.x) > clip.w + reach * (stretch + 1.0);
+}
+
+// Outside the clip volume.
 fn plants_nowhere() -> vec4<f32> {
     return vec4<f32>(0.0, 0.0, -2.0, 1.0);
-}
-
-@vertex
-fn plants_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) instance: u32) -> Leaf {
-    var leaf: Leaf;
-    let index = instance * style.shape.w + vertex / style.shape.z;
-    let plant = plants[index];
-    let distance = length(plant.root - frame.camera.xyz);
-    // Plants end at slightly different distances, so that no front is seen.
-    let gone = smoothstep(style.mean.z, style.mean.w, distance + (plant.tint - 0.5) * 0.3 * (style.mean.w - style.mean.z));
-    if plant.height <= 0.0 || gone >= 1.0 {
-        leaf.position = plants_nowhere();
-        return leaf;
-    }
-    let bent = plants_bend(plant, index, vertex % style.shape.z, 1.0 - 0.85 * gone);
-    leaf.position = frame.view_projection * vec4<f32>(bent.place, 1.0);
-    leaf.place = bent.place;
-    leaf.across = bent.across;
-    leaf.facing = bent.facing;
-    let flip = select(1.0, -1.0, fract(plant.tint * 64.0) < 0.5);
-    leaf.card = vec4<f32>(0.5 + 0.5 * bent.side * flip, 1.0 - bent.along, bent.along, bent.lying);
-    leaf.patchwork = vec4<f32>(shading_patchwork(plant.root.xz + frame.phase.xy), plant.tint);
-    let away = bent.place - frame.camera.xyz;
-    let clear = shading_fog(length(away), frame.camera.w);
-    leaf.air = vec4<f32>(frame_air(normalize(away)) * (1.0 - clear), clear);
-    leaf.layer = plant.layer;
-    return leaf;
-}
-
-@fragment
-fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
-    let to_eye = frame.camera.xyz - leaf.place;
-    let view = normalize(to_eye);
-    // Cards seen on edge would be smeared by their coarse mip levels: sharpen a little, and let the thinnest go.
-    let on_edge = smoothstep(0.03, 0.20, abs(dot(leaf.facing, view)));
-    var texel = textureSampleBias(clumps, clump_sampler, leaf.card.xy, leaf.layer, -0.7);
-    texel.a *= mix(0.35, 1.0, on_edge);
-    // A rim one pixel wide, whatever the mip level: alpha becomes coverage of the four samples.
-    let alpha = clamp((texel.a - 0.5) / max(fwidth(texel.a), 0.02) + 0.5, 0.0, 1.0);
-    if alpha < 0.1 {
-        discard;
-    }
-    let along = leaf.card.z;
-    let heading = (texel.b - 0.5) * 2.6;
-    var normal = normalize(leaf.facing * cos(heading) + leaf.across * sin(heading) + vec3<f32>(0.0, 0.18, 0.0));
-    normal = normal * select(-1.0, 1.0, dot(normal, view) > 0.0);
-    let tint = leaf.patchwork.w;
-    let dry = texel.g + style.root.w + 0.55 * leaf.patchwork.y + 0.3 * max(tint - 0.75, 0.0);
-    let albedo = shading_leaf(style.root.rgb, style.tip.rgb, along, dry, leaf.patchwork.xyz, texel.r * (0.86 + 0.28 * tint));
-    // Neighbours hide the sky and, with a low sun, the sun from all but the tips.
-    let lying = leaf.card.w;
-    let open = mix(mix(0.16, 1.0, along * sqrt(along)), 0.9, lying);
-    let reach = 1.0 - along;
-    let through_canopy = mix(exp(-1.5 * reach * reach / (0.25 + frame.sun.y)), 0.9, lying);
-    let lit = shadows_lit(shadows_place(leaf.place, 0.10), 2.2) * through_canopy;
-    let colour = shading_grass(albedo, normal, view, frame_light(), lit, open, style.tip.w);
-    return vec4<f32>(leaf.air.rgb + colour * leaf.air.a, alpha);
-}
-
-struct Shade {
-    @builtin(position) position: vec4<f32>,
-    @location(0) card: vec2<f32>,
-    @location(1) @interpolate(flat) layer: u32,
-}
-
-@vertex
-fn plants_shadow_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) instance: u32) -> Shade {
-    var shade: Shade;
-    let index = instance * style.shape.w + vertex / style.shape.z;
-    let plant = plants[index];
-    let centre = (frame.shadow * vec4<f32>(plant.root, 1.0)).xyz;
-    if plant.height <= 0.0 || max(abs(centre.x - 0.5), abs(centre.y - 0.5)) > 0.52 {
-        shade.position = plants_nowhere();
-        return shade;
-    }
-    let bent = plants_bend(plant, index, vertex % style.shape.z, 1.0);
-    let at = (frame.shadow * vec4<f32>(bent.place, 1.0)).xyz;
-    shade.position = vec4<f32>(at.x * 2.0 - 1.0, 1.0 - at.y * 2.0, at.z, 1.0);
-    let flip = select(1.0, -1.0, fract(plant.tint * 64.0) < 0.5);
-    shade.card = vec2<f32>(0.5 + 0.5 * bent.side * flip, 1.0 - bent.along);
-    shade.layer = plant.layer;
-    return shade;
-}
-
-@fragment
-fn plants_shadow_fragment(shade: Shade) {
-    if textureSample(clumps, clump_sampler, shade.card, shade.layer).a < 0.5 {
-        discard;
-    }
 }

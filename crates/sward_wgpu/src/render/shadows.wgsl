@@ -14,15 +14,15 @@ fn shadows_trust(place: vec3<f32>) -> f32 {
     return frame.ground.w * (1.0 - smoothstep(0.42, 0.49, rim)) * step(place.z, 1.0);
 }
 
-// Share of the sun that arrives, four taps.
-fn shadows_lit(place: vec3<f32>, spread: f32) -> f32 {
+// Share of the sun that arrives, four taps; `beyond` holds where the map ends.
+fn shadows_lit(place: vec3<f32>, spread: f32, beyond: f32) -> f32 {
     let texel = spread / 2048.0;
     var lit = 0.0;
     for (var tap = 0u; tap < 4u; tap++) {
-        let offset = vec2<f32>(f32(tap & 1u) - 0.5, f32(tap >> 1u) - 0.5) * vec2<f32>(1.0, 1.0) * texel;
+        let offset = vec2<f32>(f32(tap & 1u) - 0.5, f32(tap >> 1u) - 0.5) * texel;
         lit += textureSampleCompareLevel(shadow_map, shadow_sampler, place.xy + offset, place.z);
     }
-    return mix(1.0, 0.25 * lit, shadows_trust(place));
+    return mix(beyond, 0.25 * lit, shadows_trust(place));
 }
 
 // The same over a wider area, nine taps: soft rims on bare surfaces.

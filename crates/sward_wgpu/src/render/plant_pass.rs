@@ -1,0 +1,187 @@
+//! The pass that draws plants: crossed cards bent along their joints, many plants per instance.
+
+use std::collections::HashMap;
+
+use wgpu::util::DeviceExt;
+
+use super::clump_texture::ClumpTexture;
+use super::plants::{Look, MOST_CARDS, MOST_SEGMENTS, PLANTS_PER_INSTANCE, PlantBatch, PlantCount, PlantDraws, index_count};
+use super::shadow::ShadowMap;
+use super::{PipelineParts, Slot, layout, main_pipeline, shader, shadow_pipeline};
+use crate::gpu::Gpu;
+
+/// Files of the pass's shader, after the common ones.
+pub const PARTS: [&str; 4] =
+    [super::SHADOWS_WGSL, include_str!("plants.wgsl"), include_str!("leaves.wgsl"), include_str!("plant_shadows.wgsl")];
+
+/// `Style` of `plants.wgsl`.
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+struct StyleUniform {
+    root: [f32; 4],
+    tip: [f32; 4],
+    mean: [f32; 4],
+    shape: [u32; 4],
+}
+
+/// A batch made ready for this frame.
+struct Ready<'a> {
+    batch: PlantBatch<'a>,
+    main: wgpu::BindGroup,
+    shadow: wgpu::BindGroup,
+}
+
+/// The batches of one frame.
+pub(crate) struct ReadyPlants<'a>(Vec<Ready<'a>>);
+
+pub(crate) struct PlantPass {
+    main: wgpu::RenderPipeline,
+    shadow: wgpu::RenderPipeline,
+    main_layout: wgpu::BindGroupLayout,
+    shadow_layout: wgpu::BindGroupLayout,
+    clumps: ClumpTexture,
+    looks: Vec<Look>,
+    styles: HashMap<(usize, u32, u32), wgpu::Buffer>,
+    indices: HashMap<(u32, u32), wgpu::Buffer>,
+}
+
+impl PlantPass {
+    pub(crate) fn new(gpu: &Gpu, looks: &[Look]) -> Self {
+        let device = &gpu.device;
+        let module = shader(device, "plants", &PARTS);
+        let own =
+            [(0, Slot::Uniform), (4, Slot::Storage), (5, Slot::Storage), (6, Slot::Uniform), (7, Slot::Pictures), (8, Slot::Filtering)];
+        let shadow_layout = layout(device, "plant shadows", &own);
+        let main_layout = layout(device, "plants", &[&own[..], &[(2, Slot::ShadowMap), (3, Slot::Comparison)]].concat());
+        let main = main_pipeline(
+            device,
+            &PipelineParts {
+                label: "plants",
+                module: &module,
+                layout: &main_layout,
+                vertex: "plants_vertex",
+                buffers: &[],
+                fragment: Some("plants_fragment"),
+                coverage: true,
+                depth_write: true,
+            },
+        );
+        let shadow = shadow_pipeline(
+            device,
+            &PipelineParts {
+                label: "plant shadows",
+                module: &module,
+                layout: &shadow_layout,
+                vertex: "plants_shadow_vertex",
+                buffers: &[],
+                fragment: Some("plants_shadow_fragment"),
+                coverage: false,
+                depth_write: true,
+            },
+        );
+        Self {
+            main,
+            shadow,
+            main_layout,
+            shadow_layout,
+            clumps: ClumpTexture::new(gpu),
+            looks: looks.to_vec(),
+            styles: HashMap::new(),
+            indices: HashMap::new(),
+        }
+    }
+
+    /// Makes what the batches need; batches with an unknown look or shape are left out.
+    pub(crate) fn ready<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, draws: &PlantDraws<'a>) -> ReadyPlants<'a> {
+        let fits = |batch: &&PlantBatch<'_>| {
+            batch.look < self.looks.len() && (1..=MOST_SEGMENTS).contains(&batch.segments) && (1..=MOST_CARDS).contains(&batch.cards)
+        };
+        let batches: Vec<PlantBatch<'a>> = draws.batches.iter().filter(fits).copied().collect();
+        ReadyPlants(batches.into_iter().map(|batch| self.ready_batch(gpu, frame, map, batch)).collect())
+    }
+
+    fn ready_batch<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, batch: PlantBatch<'a>) -> Ready<'a> {
+        let device = &gpu.device;
+        self.indices.entry((batch.segments, batch.cards)).or_insert_with(|| index_buffer(device, batch.segments, batch.cards));
+        let look = &self.looks[batch.look];
+        let style = self.styles.entry((batch.look, batch.segments, batch.cards)).or_insert_with(|| style_buffer(device, look, &batch));
+        let own = [
+            wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 4, resource: batch.plants.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 5, resource: batch.joints.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 6, resource: style.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 7, resource: wgpu::BindingResource::TextureView(&self.clumps.view) },
+            wgpu::BindGroupEntry { binding: 8, resource: wgpu::BindingResource::Sampler(&self.clumps.sampler) },
+        ];
+        let shadow = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("plant shadows"),
+            layout: &self.shadow_layout,
+            entries: &own,
+        });
+        let mut all = own.to_vec();
+        all.push(wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&map.view) });
+        all.push(wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&map.sampler) });
+        let main = device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("plants"), layout: &self.main_layout, entries: &all });
+        Ready { batch, main, shadow }
+    }
+
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, plants: &ReadyPlants<'_>) {
+        pass.set_pipeline(&self.main);
+        for ready in &plants.0 {
+            pass.set_bind_group(0, &ready.main, &[]);
+            self.draw_batch(pass, &ready.batch);
+        }
+    }
+
+    pub(crate) fn draw_shadow(&self, pass: &mut wgpu::RenderPass<'_>, plants: &ReadyPlants<'_>) {
+        pass.set_pipeline(&self.shadow);
+        for ready in plants.0.iter().filter(|ready| ready.batch.shadows) {
+            pass.set_bind_group(0, &ready.shadow, &[]);
+            self.draw_batch(pass, &ready.batch);
+        }
+    }
+
+    fn draw_batch(&self, pass: &mut wgpu::RenderPass<'_>, batch: &PlantBatch<'_>) {
+        let Some(indices) = self.indices.get(&(batch.segments, batch.cards)) else {
+            return;
+        };
+        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint16);
+        match batch.count {
+            PlantCount::Direct(count) => {
+                pass.draw_indexed(0..index_count(batch.segments, batch.cards), 0, 0..count.div_ceil(PLANTS_PER_INSTANCE));
+            }
+            PlantCount::Indirect(buffer, offset) => pass.draw_indexed_indirect(buffer, offset),
+        }
+    }
+}
+
+/// Two triangles per segment; corner numbers are taken apart again in the vertex shader.
+fn index_buffer(device: &wgpu::Device, segments: u32, cards: u32) -> wgpu::Buffer {
+    let strips = PLANTS_PER_INSTANCE * cards;
+    let corners = 2 * (segments + 1);
+    let indices: Vec<u16> = (0..strips)
+        .flat_map(|strip| (0..segments).map(move |segment| strip * corners + 2 * segment))
+        .flat_map(|at| [at, at + 1, at + 2, at + 2, at + 1, at + 3])
+        .map(|index| index as u16)
+        .collect();
+    device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: Some("plant indices"),
+        contents: bytemuck::cast_slice(&indices),
+        usage: wgpu::BufferUsages::INDEX,
+    })
+}
+
+fn style_buffer(device: &wgpu::Device, look: &Look, batch: &PlantBatch<'_>) -> wgpu::Buffer {
+    let closed = look.cover();
+    let style = StyleUniform {
+        root: [look.root[0], look.root[1], look.root[2], look.dryness],
+        tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
+        mean: [1.0 - 0.88 * closed, 1.6 * closed, look.fade[0], look.fade[1]],
+        shape: [batch.segments, batch.cards, 2 * (batch.segments + 1) * batch.cards, PLANTS_PER_INSTANCE],
+    };
+    device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: Some("plant style"),
+        contents: bytemuck::bytes_of(&style),
+        usage: wgpu::BufferUsages::UNIFORM,
+    })
+}
