@@ -9,8 +9,10 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 const LARGEST_SIDE: u32 = 16384;
 /// Latest time that can be asked for, s: eleven days of simulation.
 const LATEST: f64 = 1e6;
-/// Most steps and frames.
+/// Most steps.
 const MOST: u32 = 100_000_000;
+/// Last frame: nine hours of film.
+const LAST_FRAME: u32 = 1_000_000;
 
 const AFTER: &str = "Without a command, `sward` renders the scene `hello` to hello.png in the current folder.\n\
     Exit status: 0 done, 1 failed, 2 wrong input (then nothing is written).";
@@ -187,8 +189,8 @@ fn frames(text: &str) -> Result<Range<u32>, String> {
     let wanted = "type the first frame and one past the last, like 0..90";
     let (first, end) = text.split_once("..").ok_or_else(|| wanted.to_owned())?;
     let number = |text: &str| match text.parse::<u32>() {
-        Ok(frame) if frame <= MOST => Ok(frame),
-        Ok(_) => Err(format!("frames go up to {MOST}: {wanted}")),
+        Ok(frame) if frame <= LAST_FRAME => Ok(frame),
+        Ok(_) => Err(format!("frames go up to {LAST_FRAME}: {wanted}")),
         Err(_) => Err(wanted.to_owned()),
     };
     let (first, end) = (number(first)?, number(end)?);
@@ -229,7 +231,7 @@ mod tests {
     #[test]
     fn frames_run_forwards() {
         assert_eq!(frames("0..90"), Ok(0..90));
-        for wrong in ["", "..", "0", "0..", "..9", "5..5", "9..0", "-1..5", "0..=5", "0..4294967295"] {
+        for wrong in ["", "..", "0", "0..", "..9", "5..5", "9..0", "-1..5", "0..=5", "0..1000001", "0..4294967295"] {
             assert!(frames(wrong).is_err(), "{wrong}");
         }
         assert!(frames("9..0").is_err_and(|advice| advice.contains("0..9")));

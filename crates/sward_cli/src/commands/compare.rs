@@ -183,7 +183,8 @@ mod tests {
     #[test]
     fn a_wrong_value_in_each_stage_is_found() {
         let right = world();
-        let spoils: [(&str, fn(&mut World)); 4] = [
+        type Spoil = fn(&mut World);
+        let spoils: [(&str, Spoil); 4] = [
             ("activation", |world| world.state.stands[0].awake.retain(|patch, _| *patch != [0, 0])),
             ("bend", |world| world.state.stands[0].cells.now.iter_mut().for_each(|cells| cells[40] += 1.0)),
             ("rate", |world| world.state.stands[0].cells.now.iter_mut().for_each(|cells| cells[600] = f32::NAN)),
