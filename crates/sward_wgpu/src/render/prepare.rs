@@ -6,7 +6,7 @@ use bytemuck::{Pod, Zeroable};
 use sward::model::StandModel;
 use sward::placement::PlacementParameters;
 use sward::shading::clump::{VARIANTS, first_layer};
-use sward::state::{NONE, PatchKey, StandState};
+use sward::state::{NONE, PatchKey, StandState, TILE};
 use sward::terrain::{TerrainAnchor, TerrainGrid};
 use sward::view::View;
 use sward::world::World;
@@ -190,7 +190,8 @@ fn draw(world: &World, state: &StandState, patch: PatchKey, origin: PatchKey, fi
         let mut found = [NONE; 9];
         for (k, slot) in found.iter_mut().enumerate() {
             let key = [patch[0].wrapping_add(k as i32 % 3 - 1), patch[1].wrapping_add(k as i32 / 3 - 1)];
-            *slot = state.awake.get(&key).map_or(NONE, pick);
+            // Where a patch sleeps, the tiled one stands in if there is one; its cells wrap around.
+            *slot = state.awake.get(&key).or_else(|| state.awake.get(&TILE)).map_or(NONE, pick);
         }
         found
     };
