@@ -249,8 +249,15 @@ impl World {
     fn plan_stand(&self, index: usize, footprints: &[Footprint]) -> StandPlan {
         let (stand, state) = (&self.model.stands[index], &self.state.stands[index]);
         let side = i64::from(stand.cells);
-        let mut plan =
-            StandPlan { wind: self.wind(stand), patches: Vec::new(), contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new() };
+        let wind = self.wind(stand);
+        let mut plan = StandPlan {
+            tile_wind: wind.snapped(stand.cells / continuum::NODE_CELLS),
+            wind,
+            patches: Vec::new(),
+            contacts: Vec::new(),
+            edges: Vec::new(),
+            pairs: Vec::new(),
+        };
         let mut reached: BTreeMap<PatchKey, Vec<ContactPair>> = BTreeMap::new();
         for footprint in footprints {
             let contact = plan.contacts.len() as u32;
