@@ -9,9 +9,10 @@ use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_p
 use super::rest::Rest;
 use crate::interaction::Contact;
 use crate::lanes::Lanes;
-use crate::model::{Model, StandModel};
 use crate::plan::{PatchPlan, StandPlan};
+use crate::response::StandModel;
 use crate::state::{Cells, NONE, PatchKey, Slopes, Summary};
+use crate::terrain::Terrain;
 
 /// One awake patch at work.
 struct Task<'a> {
@@ -49,18 +50,18 @@ fn with_levels<'a, 'b>(
 }
 
 /// Ground under the cells of a patch.
-pub(crate) fn slopes_of(model: &Model, stand: &StandModel, patch: PatchKey) -> Slopes {
-    if model.terrain.is_flat() {
+pub(crate) fn slopes_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Slopes {
+    if terrain.is_flat() {
         return Slopes::default();
     }
-    let anchor = model.terrain.anchor(patch.map(|p| f64::from(p) * model.patch_side));
+    let anchor = terrain.anchor(patch.map(|p| f64::from(p) * stand.patch_side));
     let cells = stand.cells as usize;
     let area = cells * cells;
     let mut values = vec![0.0; 2 * area].into_boxed_slice();
     let mut steepest = 0.0_f32;
     for cell in 0..area {
         let centre = [cell % cells, cell / cells].map(|k| (k as f32 + 0.5) * stand.spacing as f32);
-        let [x, z] = model.terrain.gradient(anchor, centre);
+        let [x, z] = terrain.gradient(anchor, centre);
         (values[cell], values[area + cell]) = (x, z);
         let steep = (x * x + z * z).sqrt();
         steepest = if steep > steepest { steep } else { steepest };
@@ -68,16 +69,16 @@ pub(crate) fn slopes_of(model: &Model, stand: &StandModel, patch: PatchKey) -> S
     Slopes { values, steepest }
 }
 
-fn touch(model: &Model, stand: &StandModel, plan: &StandPlan, task: &mut Task, levels: (&mut [f32], &mut [f32]), slopes: &Slopes) {
+fn touch(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, task: &mut Task, levels: (&mut [f32], &mut [f32]), slopes: &Slopes) {
     let cells = stand.cells as usize;
     let contacts: Vec<(Contact, [i32; 2])> =
         plan.pairs[task.plan.pairs.clone()].iter().map(|pair| (plan.contacts[pair.contact as usize], pair.corner)).collect();
     if contacts.is_empty() {
         return;
     }
-    let anchor = model.terrain.anchor(task.plan.patch.map(|p| f64::from(p) * model.patch_side));
+    let anchor = terrain.anchor(task.plan.patch.map(|p| f64::from(p) * stand.patch_side));
     let centre = |k: i32| (k as f32 + 0.5) * stand.spacing as f32;
-    let ground = |i: i32, j: i32| model.terrain.height(anchor, [centre(i), centre(j)]);
+    let ground = |i: i32, j: i32| terrain.height(anchor, [centre(i), centre(j)]);
     task.held = vec![0; cells * cells];
     let by = PatchContacts { contacts: &contacts, edges: &plan.edges, ground: &ground };
     touch_patch(&stand.coefficients, cells, &by, slopes, levels.0, levels.1, &mut task.held);
@@ -96,7 +97,7 @@ fn reserve(cells: &mut Cells, plan: &StandPlan, area: usize) {
 }
 
 /// contact → wave → limits of one stand; returns what activation wants to know of each patch. `cells.now` is one step on afterwards.
-pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cells, lanes: Lanes) -> Vec<(PatchKey, Summary)> {
+pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut Cells, lanes: Lanes) -> Vec<(PatchKey, Summary)> {
     let side = stand.cells as usize;
     reserve(cells, plan, side * side);
     let k_w = stand.species.continuum.wind;
@@ -108,9 +109,9 @@ pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cel
     each(with_levels(&mut tasks, cells), |(task, now, old, slopes)| {
         if task.plan.woken {
             wake_patch(side, &task.rest, now, old);
-            *slopes = slopes_of(model, stand, task.plan.patch);
+            *slopes = slopes_of(terrain, stand, task.plan.patch);
         }
-        touch(model, stand, plan, task, (now, old), slopes);
+        touch(terrain, stand, plan, task, (now, old), slopes);
     });
     let mut summaries = Vec::new();
     for substep in 0..stand.substeps {
@@ -138,6 +139,9 @@ pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cel
     summaries
 }
 
+/// The upper segments and the past of one lag slot.
+type Lagging<'a> = (&'a mut Box<[f32]>, &'a mut Box<[f32]>);
+
 /// Upper segments of the patches that keep them, after [`step`]. `index` counts steps, for the ring of `history`.
 pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64, lanes: Lanes) {
     let lag = &stand.lag;
@@ -154,7 +158,7 @@ pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64,
         }
     }
     let now = &cells.now;
-    let mut slots: Vec<Option<(&mut Box<[f32]>, &mut Box<[f32]>)>> = cells.lag.iter_mut().zip(&mut cells.history).map(Some).collect();
+    let mut slots: Vec<Option<Lagging>> = cells.lag.iter_mut().zip(&mut cells.history).map(Some).collect();
     let work: Vec<_> = plan
         .patches
         .iter()
