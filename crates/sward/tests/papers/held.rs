@@ -37,7 +37,7 @@ fn grass_under_a_parked_body_reaches_its_floor_and_stays() {
     let places = inside([4.1, 4.07], 1.0);
     assert!(places.len() > 50);
     let mut before = vec![0.0_f32; places.len()];
-    let mut settled = Vec::new();
+    let (mut settled, mut unlike) = (Vec::new(), 0);
     for step in 0..360 {
         world.step();
         for (k, (place, depth)) in places.iter().enumerate() {
@@ -48,11 +48,12 @@ fn grass_under_a_parked_body_reaches_its_floor_and_stays() {
             if step == 120 {
                 let floor = (depth / 0.2).atan();
                 assert!((f64::from(length(bend)) - floor).abs() < 3e-3, "{place:?}: {} for {floor}", length(bend));
-                assert!((f64::from(length(bend)) - (depth / 0.21).atan()).abs() > 0.0);
+                unlike += u32::from((f64::from(length(bend)) - (depth / 0.22).atan()).abs() > 3e-3);
                 settled.push(bend);
             }
         }
     }
+    assert!(unlike as usize > places.len() / 2, "control: a body 2 cm higher has another floor");
     for ((place, _), bend) in places.iter().zip(&settled) {
         assert_eq!(world.bend_at(0, *place), Some(*bend), "not a bit moves in four seconds");
     }

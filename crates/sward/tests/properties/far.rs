@@ -25,7 +25,9 @@ fn a_scene_moved_with_its_origin_has_the_same_bits() {
     let (mut home, mut away) = (drive([0.0; 2], [0, 0], gusts), drive([SHIFT, -SHIFT], [8000, -8000], gusts));
     let mut other = drive([SHIFT + 0.25, -SHIFT], [8000, -8000], gusts);
     for step in 0..90 {
-        (home.step(), away.step(), other.step());
+        home.step();
+        away.step();
+        other.step();
         assert_eq!(home.hash(), away.hash(), "step {step}");
     }
     assert!(!home.state.stands[0].awake.is_empty());
@@ -48,7 +50,7 @@ fn a_scene_far_from_its_origin_differs_by_rounding_only() {
             bent += u32::from(here[0].abs() + here[1].abs() > 0.1);
         }
     }
-    let rms = (squares / count as f64).sqrt();
+    let rms = (squares / count).sqrt();
     println!("128 km out: largest difference {worst:.1e} rad, rms {rms:.1e}, {bent} plants bent");
     assert!(worst < 1e-5 && rms < 1e-6 && bent > 300);
 }

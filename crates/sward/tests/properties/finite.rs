@@ -2,6 +2,7 @@
 
 use crate::common::world;
 use proptest::prelude::*;
+use sward::response::continuum;
 use sward::scene::{
     BoxShape, Continuum, ContinuumOverrides, Driven, Interactor, Lag, Path, Response, Scene, Shape, Species, Sphere, Stand, WindSource,
 };
@@ -88,7 +89,7 @@ proptest! {
                 world.drive(k % 2, [x * reach, z * reach], yaw * reach, *clearance);
                 world.step();
                 let (bend, rate) = extremes(&world.state.stands[0], (cells * cells) as usize);
-                prop_assert!(bend <= 1.5708 && rate <= 60.001, "|β| {bend}, |ω| {rate}");
+                prop_assert!(bend <= continuum::HALF_PI + 1e-5 && rate <= 60.001, "|β| {bend}, |ω| {rate}");
             }
         }
         prop_assert!(world.state.stands[0].counters.patch_steps > 0, "control: something was awake");
