@@ -119,6 +119,20 @@ fn of_several_bodies_the_largest_push_wins_and_ties_go_to_the_lower_id() {
     assert_eq!(bend_of(&[standing, east]), bend_of(&[east]), "a standing body does not win over a moving one");
 }
 
+#[test]
+fn the_highest_floor_holds_whichever_body_pushes() {
+    let co = world("stands: [(species: Meadow)]").model.stands[0].coefficients;
+    let moving = Hit { speed: 2.0, direction: [1.0, 0.0], along: 2.0, height: 0.2, normal: [1.0, 0.0], depth: 0.0 };
+    let deep = Hit { speed: 0.0, along: 0.0, depth: 1.0, ..moving };
+    let after = |hits: &[Hit]| {
+        let touched = |bend: [f32; 2]| contact(&co, bend, [0.0, 0.0], hits.iter().copied()).expect("touched").bend;
+        (0..20).fold([0.0, 0.0], |bend, _| touched(bend))
+    };
+    let floor = 5.0_f32.atan();
+    assert!(length(after(&[moving, deep])) >= floor - 1e-5 && length(after(&[deep, moving])) >= floor - 1e-5);
+    assert!(length(after(&[moving])) < floor - 0.05, "control: the push alone does not get there");
+}
+
 /// Two equal boxes pass through each other in one step; the cells they share follow the first.
 #[test]
 fn bodies_that_meet_on_a_cell_keep_their_order_in_a_world() {

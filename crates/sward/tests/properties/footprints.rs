@@ -120,6 +120,19 @@ fn speed_turn_and_direction_have_the_signs_of_the_motion() {
 }
 
 #[test]
+fn the_underside_is_the_lower_of_both_ends_of_the_step() {
+    let piece = &pieces_of(&Shape::Box(BoxShape { size: [2.0, 1.0, 2.0] }))[0];
+    let at = |height: f64| Pose { height, ..pose([0.0, 0.0], 0.0) };
+    for (start, end) in [(1.0, 0.1), (0.1, 1.0)] {
+        let footprint = swept(piece, &at(start), &at(end), 1.0 / 60.0, &GRID, 0).expect("wide");
+        let hit = contact_at(&footprint.contact, &footprint.edges, [4, 4], 0.0, 0.4);
+        assert!((hit.expect("it came down or rose").height - 0.1).abs() < 1e-6, "{start} to {end}");
+    }
+    let above = swept(piece, &at(1.0), &at(1.0), 1.0 / 60.0, &GRID, 0).expect("wide");
+    assert_eq!(contact_at(&above.contact, &above.edges, [4, 4], 0.0, 0.4), None, "control: it stays above the plants");
+}
+
+#[test]
 fn an_ellipsoid_has_the_lower_half_of_an_ellipsoid_as_its_underside() {
     let (radii, yaw) = ([1.2_f64, 0.5, 0.7], 0.6_f64);
     let shape = Shape::Ellipsoid(Ellipsoid { radii: radii.map(|r| r as f32) });
