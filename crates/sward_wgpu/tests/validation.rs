@@ -39,6 +39,7 @@ fn the_watch_hears() -> Result<(), Failed> {
     let watch = support::Watch::install();
     log::warn!(target: "wgpu_hal::vulkan::instance", "a message of the layer");
     log::warn!(target: "wgpu_hal::vulkan::instance", "\tobjects: a list");
+    log::debug!(target: "wgpu_hal::vulkan::instance", "chatter");
     log::warn!(target: "elsewhere", "another message");
     let heard = watch.take();
     if heard != ["a message of the layer"] {

@@ -39,7 +39,8 @@ impl Watch {
         });
         if first {
             log::set_logger(watch).expect("a logger is installed already");
-            log::set_max_level(log::LevelFilter::Warn);
+            // wgpu says at this level that the layer is missing.
+            log::set_max_level(log::LevelFilter::Debug);
         }
         watch
     }
@@ -57,13 +58,17 @@ impl Watch {
 
 impl log::Log for Watch {
     fn enabled(&self, metadata: &log::Metadata<'_>) -> bool {
-        metadata.level() <= log::Level::Warn && metadata.target() == LAYER
+        metadata.target() == LAYER
     }
 
     fn log(&self, record: &log::Record<'_>) {
+        if !self.enabled(record.metadata()) {
+            return;
+        }
         let text = record.args().to_string();
+        let matters = record.level() <= log::Level::Warn || text.contains("unable to find layer");
         // Lines that begin with a tab list the objects of the message before.
-        if self.enabled(record.metadata()) && !text.starts_with('\t') {
+        if matters && !text.starts_with('\t') {
             self.messages.lock().unwrap_or_else(PoisonError::into_inner).push(text);
         }
     }
