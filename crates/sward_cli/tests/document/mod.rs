@@ -1,7 +1,7 @@
 //! What a Markdown text names.
 
 /// Contents of the fenced blocks in a language.
-pub fn blocks(text: &str, language: &str) -> Vec<String> {
+pub(crate) fn blocks(text: &str, language: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut lines = text.lines();
     while let Some(line) = lines.next() {
@@ -40,16 +40,17 @@ fn words(line: &str) -> Vec<String> {
 }
 
 /// Command lines for `cargo` and `sward`, in blocks of shell and between backticks.
-pub fn commands(text: &str) -> Vec<Vec<String>> {
+pub(crate) fn commands(text: &str) -> Vec<Vec<String>> {
     let prose = prose(text);
     let blocks = blocks(text, "sh");
     let lines = blocks.iter().flat_map(|block| block.lines()).chain(spans(&prose).into_iter().filter(|span| span.contains(' ')));
-    let commands = lines.map(words).filter(|words| matches!(words.first().map(String::as_str), Some("cargo" | "sward")));
-    commands.collect()
+    let starts = |words: &Vec<String>| matches!(words.first().map(String::as_str), Some("cargo" | "sward"));
+    // Not a command: `sward ← sward_wgpu`.
+    lines.map(words).filter(|words| starts(words) && words.get(1).is_none_or(|word| word.is_ascii())).collect()
 }
 
 /// Names of files and folders of the project: targets of links, and what looks like a path between backticks.
-pub fn paths(text: &str) -> Vec<String> {
+pub(crate) fn paths(text: &str) -> Vec<String> {
     let prose = prose(text);
     let targets = prose.split("](").skip(1).filter_map(|rest| rest.split(')').next());
     let targets = targets.map(|target| target.split('#').next().unwrap_or_default()).filter(|target| !target.contains("://"));
@@ -63,20 +64,20 @@ pub fn paths(text: &str) -> Vec<String> {
 }
 
 /// Environment variables of ours.
-pub fn variables(text: &str) -> Vec<String> {
+pub(crate) fn variables(text: &str) -> Vec<String> {
     let part = |c: char| c.is_ascii_uppercase() || c == '_';
     text.split(|c: char| !part(c)).filter(|word| word.starts_with("SWARD_") && word.len() > 6).map(str::to_owned).collect()
 }
 
 /// `file.rs::name` between backticks.
-pub fn functions(text: &str) -> Vec<(String, String)> {
+pub(crate) fn functions(text: &str) -> Vec<(String, String)> {
     let prose = prose(text);
     let split = |span: &&str| span.split_once("::").map(|(file, name)| (file.to_owned(), name.to_owned()));
     spans(&prose).iter().filter_map(split).filter(|(file, _)| file.ends_with(".rs")).collect()
 }
 
 /// Folders of one machine that a text names.
-pub fn machine_paths(text: &str) -> Vec<String> {
+pub(crate) fn machine_paths(text: &str) -> Vec<String> {
     let folders = ["work", "tmp", "root", "home", "Users"].map(|folder| format!("/{folder}/"));
     let mut found = Vec::new();
     for folder in folders {

@@ -21,7 +21,7 @@ const LAYER: &str = "wgpu_hal::vulkan::instance";
 /// // … work, and wait for it …
 /// assert_eq!(watch.messages(), Vec::<String>::new());
 /// ```
-pub struct Watch {
+pub(crate) struct Watch {
     messages: Mutex<Vec<String>>,
 }
 
@@ -30,7 +30,7 @@ impl Watch {
     ///
     /// # Panics
     /// If another logger was installed before: then the watch would hear nothing.
-    pub fn install() -> &'static Self {
+    pub(crate) fn install() -> &'static Self {
         static WATCH: OnceLock<Watch> = OnceLock::new();
         let mut first = false;
         let watch = WATCH.get_or_init(|| {
@@ -46,12 +46,12 @@ impl Watch {
     }
 
     /// Warnings and errors so far, oldest first, without their appended lists of objects.
-    pub fn messages(&self) -> Vec<String> {
+    pub(crate) fn messages(&self) -> Vec<String> {
         self.messages.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// Takes the messages: the next look sees only newer ones.
-    pub fn take(&self) -> Vec<String> {
+    pub(crate) fn take(&self) -> Vec<String> {
         std::mem::take(&mut *self.messages.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
@@ -78,7 +78,7 @@ impl log::Log for Watch {
 
 /// Whether tests on an adapter can run: `Ok(true)` here, `Ok(false)` where there is none (print such tests as *ignored*), and an
 /// error where `CI` is set, since there they must run.
-pub fn adapter() -> Result<bool, String> {
+pub(crate) fn adapter() -> Result<bool, String> {
     match sward_wgpu::gpu::Gpu::new() {
         Ok(_) => Ok(true),
         Err(error) if std::env::var_os("CI").is_some() => Err(error.to_string()),
