@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::state::{Awake, NONE, PatchKey, StandState};
+use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
 
 /// Steps between a summary's step and the activation that reads it.
 pub const LATENCY: usize = 2;
@@ -35,6 +35,8 @@ pub struct Circumstances<'a> {
     pub lag_distance: f64,
     /// The wind changes with time.
     pub gusty: bool,
+    /// Sleeping patches show the wind patch, tiled.
+    pub tiled: bool,
     /// Deviation from rest that sleep allows, rad and rad/s.
     pub tolerance: f32,
     /// Steps per second.
@@ -92,6 +94,7 @@ pub fn activate(stand: &mut StandState, by: &Circumstances) {
     }
     wanted.extend(&focused);
     wake(stand, by, &wanted, &pushed);
+    wake_tile(stand, by);
     share_lag_slots(stand, by);
 }
 
@@ -126,7 +129,7 @@ fn read_summary(stand: &mut StandState, by: &Circumstances) -> BTreeSet<PatchKey
         stand.counters.clamped += u64::from(summary.clamped);
         let Some(awake) = stand.awake.get_mut(&patch) else { continue };
         awake.rest = if is_over(summary.largest, limit) { 0 } else { awake.rest + 1 };
-        if awake.fading > 0 || awake.wind_only {
+        if awake.fading > 0 || awake.wind_only || patch == TILE {
             continue;
         }
         for (border, [dx, dz]) in summary.borders.into_iter().zip([[-1, 0], [1, 0], [0, -1], [0, 1]]) {
@@ -149,7 +152,11 @@ fn put_to_sleep(stand: &mut StandState, by: &Circumstances, focused: &BTreeSet<P
         .awake
         .iter()
         .filter(|(patch, awake)| {
-            awake.fading == 0 && !focused.contains(*patch) && !by.touched.contains(*patch) && (awake.rest >= second || awake.wind_only)
+            **patch != TILE
+                && awake.fading == 0
+                && !focused.contains(*patch)
+                && !by.touched.contains(*patch)
+                && (awake.rest >= second || awake.wind_only)
         })
         .map(|(patch, _)| *patch)
         .collect();
@@ -194,9 +201,22 @@ fn wake(stand: &mut StandState, by: &Circumstances, wanted: &BTreeSet<PatchKey>,
     }
 }
 
+/// The wind patch stays awake for ever and counts against the budget like any other.
+fn wake_tile(stand: &mut StandState, by: &Circumstances) {
+    if by.tiled
+        && by.gusty
+        && !stand.awake.contains_key(&TILE)
+        && let Some(slot) = stand.free.pop_first()
+    {
+        let awake = Awake { slot, lag: NONE, rest: 0, fading: 0, woken: true, lag_woken: false, wind_only: true };
+        stand.awake.insert(TILE, awake);
+    }
+}
+
 /// Releases the awake patch farthest from every focus if it is farther than `distance`; one in view fades first.
 fn make_room(stand: &mut StandState, by: &Circumstances, distance: f64) {
-    let candidates = stand.awake.iter().filter(|(patch, awake)| awake.fading == 0 && !awake.woken && !by.touched.contains(*patch));
+    let candidates =
+        stand.awake.iter().filter(|(patch, awake)| **patch != TILE && awake.fading == 0 && !awake.woken && !by.touched.contains(*patch));
     let farthest = candidates.map(|(patch, _)| (by.distance(*patch), *patch)).max_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let Some((away, patch)) = farthest else { return };
     if away <= distance {
@@ -207,7 +227,8 @@ fn make_room(stand: &mut StandState, by: &Circumstances, distance: f64) {
 }
 
 fn share_lag_slots(stand: &mut StandState, by: &Circumstances) {
-    let mut near: Vec<(f64, PatchKey)> = stand.awake.keys().map(|patch| (by.distance(*patch), *patch)).collect();
+    let mut near: Vec<(f64, PatchKey)> =
+        stand.awake.keys().filter(|patch| **patch != TILE).map(|patch| (by.distance(*patch), *patch)).collect();
     near.retain(|(distance, _)| *distance < by.lag_distance);
     near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let keep: BTreeSet<PatchKey> = near.iter().map(|(_, patch)| *patch).collect();

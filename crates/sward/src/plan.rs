@@ -20,6 +20,8 @@ pub struct Plan {
 pub struct StandPlan {
     /// The wind of this step on the stand's nodes.
     pub wind: WindField,
+    /// The same wind with every gust a whole number of times in a patch, for the patch that is tiled.
+    pub tile_wind: WindField,
     /// Awake patches in key order.
     pub patches: Vec<PatchPlan>,
     /// Swept footprints.

@@ -5,6 +5,9 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 /// No slot.
 pub const NONE: u32 = u32::MAX;
 
+/// Key of the one patch whose wind is tiled over sleeping patches (`budget.beyond: Tiled`); no place on the ground.
+pub const TILE: PatchKey = [i32::MIN, i32::MIN];
+
 /// Patch coordinates, counted from the scene's origin patch (x, z).
 pub type PatchKey = [i32; 2];
 

@@ -8,8 +8,8 @@ use crate::lanes::Lanes;
 use crate::model::{Assets, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan};
 use crate::response::continuum;
-use crate::scene::{Path, Scene, SceneError};
-use crate::state::{BodyState, NONE, PatchKey, State, Summary};
+use crate::scene::{Beyond, Path, Scene, SceneError};
+use crate::state::{BodyState, NONE, PatchKey, State, Summary, TILE};
 use crate::view::View;
 use crate::wind::WindField;
 
@@ -160,7 +160,7 @@ impl World {
         let cell = ground.map(|metres| (metres / model.spacing).floor() as i64);
         let patch = cell.map(|k| k.div_euclid(side) as i32);
         let [i, j] = cell.map(|k| k.rem_euclid(side));
-        match state.awake.get(&patch).and_then(|awake| state.cells.now.get(awake.slot as usize)) {
+        match state.awake.get(&patch).or_else(|| state.awake.get(&TILE)).and_then(|awake| state.cells.now.get(awake.slot as usize)) {
             Some(cells) => {
                 let at = (j * side + i) as usize;
                 Some([cells[at], cells[(side * side) as usize + at]])
@@ -239,6 +239,7 @@ impl World {
             focus_distance: f64::from(budget.focus_distance),
             lag_distance: f64::from(budget.lag_distance),
             gusty: self.model.gusty && stand.species.continuum.wind > 0.0,
+            tiled: self.scene.budget.beyond == Beyond::Tiled,
             tolerance: stand.tolerance,
             rate: f64::from(self.model.rate),
         };
@@ -248,8 +249,15 @@ impl World {
     fn plan_stand(&self, index: usize, footprints: &[Footprint]) -> StandPlan {
         let (stand, state) = (&self.model.stands[index], &self.state.stands[index]);
         let side = i64::from(stand.cells);
-        let mut plan =
-            StandPlan { wind: self.wind(stand), patches: Vec::new(), contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new() };
+        let wind = self.wind(stand);
+        let mut plan = StandPlan {
+            tile_wind: wind.snapped(stand.cells / continuum::NODE_CELLS),
+            wind,
+            patches: Vec::new(),
+            contacts: Vec::new(),
+            edges: Vec::new(),
+            pairs: Vec::new(),
+        };
         let mut reached: BTreeMap<PatchKey, Vec<ContactPair>> = BTreeMap::new();
         for footprint in footprints {
             let contact = plan.contacts.len() as u32;
@@ -264,7 +272,9 @@ impl World {
             let first = plan.pairs.len();
             plan.pairs.extend(reached.remove(patch).unwrap_or_default());
             let slot = |dx: i32, dz: i32| {
-                state.awake.get(&[patch[0].wrapping_add(dx), patch[1].wrapping_add(dz)]).map_or(NONE, |awake| awake.slot)
+                // The tiled patch is its own neighbour on every side.
+                let key = if *patch == TILE { TILE } else { [patch[0].wrapping_add(dx), patch[1].wrapping_add(dz)] };
+                state.awake.get(&key).map_or(NONE, |awake| awake.slot)
             };
             plan.patches.push(PatchPlan {
                 patch: *patch,

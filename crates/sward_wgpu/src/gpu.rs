@@ -85,7 +85,11 @@ impl Gpu {
             wgpu::InstanceFlags::empty()
         };
         let instance = wgpu::Instance::new(descriptor);
-        let adapters = instance.enumerate_adapters(wgpu::Backends::all()).await;
+        // OpenGL is looked at last: opening it writes to standard error on machines without a display.
+        let mut adapters = instance.enumerate_adapters(wgpu::Backends::PRIMARY).await;
+        if adapters.is_empty() {
+            adapters = instance.enumerate_adapters(wgpu::Backends::SECONDARY).await;
+        }
         let adapter = choose(adapters, wanted)?;
         let adapter_info = adapter.get_info();
         let (device, queue) = adapter

@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod compare;
 pub mod compute;
 pub mod gpu;
 pub mod picture;

@@ -79,7 +79,7 @@ parameters! {
         version: u32 = FORMAT_VERSION, "" in 1..=1, required;
         /// A name for people.
         title: String = String::new(), "";
-        /// Seed of every random choice: where plants stand, how they differ, how gusts arrive.
+        /// Seed of every random choice: where plants stand and how they differ.
         seed: u32 = 1, "";
         /// Patch whose corner is the authored position (0, 0); moves the whole scene over the ground without changing it.
         origin: [i32; 2] = [0, 0], "patches" in -1000000..=1000000;

@@ -75,10 +75,10 @@ impl Species {
     #[must_use]
     pub fn billboard(&self) -> Billboard {
         let (segments, width, colour_root, colour_tip, dryness) = match self {
-            Self::Lawn => (1, 0.28, [0.020, 0.045, 0.012], [0.085, 0.190, 0.035], 0.08),
-            Self::Meadow => (4, 0.45, [0.030, 0.050, 0.015], [0.200, 0.260, 0.070], 0.35),
-            Self::Reed => (7, 0.60, [0.045, 0.055, 0.020], [0.290, 0.270, 0.110], 0.55),
-            Self::Tussock => (2, 0.42, [0.055, 0.055, 0.022], [0.310, 0.280, 0.120], 0.60),
+            Self::Lawn => (1, 0.16, [0.026, 0.075, 0.012], [0.075, 0.205, 0.028], 0.0),
+            Self::Meadow => (4, 0.55, [0.024, 0.066, 0.011], [0.085, 0.200, 0.030], 0.05),
+            Self::Reed => (7, 0.60, [0.030, 0.060, 0.014], [0.080, 0.165, 0.038], 0.06),
+            Self::Tussock => (2, 0.50, [0.045, 0.060, 0.016], [0.140, 0.170, 0.048], 0.24),
         };
         let (cards, plain_distance) = (2, 40.0);
         Billboard { segments, width, cards, plain_distance, colour_root, colour_tip, dryness }

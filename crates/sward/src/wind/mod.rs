@@ -92,6 +92,22 @@ impl WindField {
         Self { mean, octaves, dropped, tile: Tile::shipped() }
     }
 
+    /// The same wind with every gust repeating a whole number of times over `intervals` nodes along each side, so that one patch
+    /// of it can be tiled without a seam (methods §1.6).
+    pub fn snapped(&self, intervals: u32) -> Self {
+        let mut field = self.clone();
+        let snap = |step: u32| {
+            // Steps are small signed shares of a tile; a side's worth of them is rounded to whole tiles.
+            let side = i64::from(step as i32) * i64::from(intervals);
+            let whole = (side + (1 << 31)).div_euclid(1 << 32) << 32;
+            (whole / i64::from(intervals.max(1))) as u32
+        };
+        for octave in &mut field.octaves {
+            (octave.step_x, octave.step_z) = (octave.step_x.map(snap), octave.step_z.map(snap));
+        }
+        field
+    }
+
     /// The phases at node (0, 0) of a patch with `intervals` node intervals along a side.
     pub fn patch_phases(&self, patch: [i32; 2], intervals: u32) -> Phases {
         let node = patch.map(|along| (along as u32).wrapping_mul(intervals) as i32);

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use sward::model::StandModel;
 use sward::plan::{PatchPlan, StandPlan};
 use sward::response::continuum::{Coefficients, LagCoefficients, NODE_CELLS};
-use sward::state::NONE;
+use sward::state::{NONE, TILE};
 use sward::wind::equilibrium;
 use sward::world::World;
 
@@ -70,7 +70,7 @@ pub struct AwakePatch {
     pub lag: u32,
     /// Index of its held mask, or none.
     pub held: u32,
-    /// 1: its upper segments are new.
+    /// 1: its upper segments are new; 2: it is the tiled wind patch.
     pub flags: u32,
     /// Slots of the neighbours along −x, +x, −z, +z, or none.
     pub neighbours: [u32; 4],
@@ -110,7 +110,7 @@ impl Entries {
                 slot: patch.slot,
                 lag: patch.lag,
                 held: if touched { held - 1 } else { NONE },
-                flags: u32::from(patch.lag_woken),
+                flags: u32::from(patch.lag_woken) | if patch.patch == TILE { 2 } else { 0 },
                 neighbours: patch.neighbours,
                 patch: patch.patch,
                 pair_first: (pairs + patch.pairs.start) as u32,

@@ -143,7 +143,9 @@ impl GpuStep {
         cells.reserve(gpu, state, level)?;
         for patch in plan.patches.iter().filter(|patch| patch.woken && !level) {
             let ground = ground_of(&world.model, stand, patch.patch);
-            let bytes = bytemuck::cast_slice(&ground.values);
+            // The tiled patch stands on level ground.
+            let level_ground = if ground.values.is_empty() { vec![0.0_f32; 3 * (stand.cells * stand.cells) as usize] } else { Vec::new() };
+            let bytes = bytemuck::cast_slice(if ground.values.is_empty() { &level_ground } else { &ground.values });
             gpu.queue.write_buffer(&cells.ground, u64::from(patch.slot) * bytes.len() as u64, bytes);
             self.work.uploaded += bytes.len() as u64;
         }

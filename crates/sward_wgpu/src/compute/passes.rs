@@ -90,7 +90,7 @@ impl Passes {
         });
         let pass = |entry, bindings| Pass::new(gpu, &module, entry, true, bindings);
         Self {
-            rest: pass("rest_pass", &[0, 1, 2, 7, 8]),
+            rest: pass("rest_pass", &[0, 1, 2, 7, 8, 14]),
             wake: pass("wake_pass", &[0, 2, 3, 4, 7]),
             contact: pass("contact_pass", &[0, 2, 3, 4, 5, 6, 9, 10]),
             wave: Pass::new(gpu, &module, "wave_pass", false, &[0, 2, 3, 4, 5, 6, 7, 11]),
@@ -130,6 +130,7 @@ impl Passes {
                 (11, &step.summary),
                 (12, &cells.upper),
                 (13, &cells.past),
+                (14, &step.tile_wind),
             ];
             pass.run(gpu, encoder, &bound, groups, work);
         };
@@ -153,6 +154,7 @@ impl Passes {
 pub struct StepBuffers {
     stand: wgpu::Buffer,
     wind: wgpu::Buffer,
+    tile_wind: wgpu::Buffer,
     awake: wgpu::Buffer,
     woken: wgpu::Buffer,
     touched: wgpu::Buffer,
@@ -188,9 +190,11 @@ impl StepBuffers {
             })
         };
         let area = u64::from(stand.cells) * u64::from(stand.cells);
-        let wind = plan.wind.block(stand.cells / sward::response::continuum::NODE_CELLS);
+        let intervals = stand.cells / sward::response::continuum::NODE_CELLS;
+        let (wind, tile_wind) = (plan.wind.block(intervals), plan.tile_wind.block(intervals));
         Self {
             stand: filled("stand", bytemuck::bytes_of(uniform), wgpu::BufferUsages::UNIFORM),
+            tile_wind: filled("tiled wind", bytemuck::bytes_of(&tile_wind), wgpu::BufferUsages::UNIFORM),
             wind: filled("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM),
             awake: filled("awake patches", bytemuck::cast_slice(&entries.awake), storage),
             woken: filled("waking patches", bytemuck::cast_slice(&entries.woken), storage),

@@ -20,7 +20,7 @@ struct AwakePatch {
     slot: u32,
     lag: u32,
     held: u32,      // index of its held mask, or NONE
-    flags: u32,     // 1: its upper segments are new
+    flags: u32,     // 1: its upper segments are new; 2: it is the tiled wind patch
     neighbours: vec4<u32>,
     patch_index: vec2<i32>,
     pair_first: u32,
@@ -48,6 +48,7 @@ const NONE: u32 = 0xffffffffu;
 @group(0) @binding(11) var<storage, read_write> summary: array<atomic<u32>>;
 @group(0) @binding(12) var<storage, read_write> upper: array<f32>;
 @group(0) @binding(13) var<storage, read_write> past: array<f32>;
+@group(0) @binding(14) var<uniform> tile_wind: WindBlock;
 
 override last_substep: bool = true;
 
@@ -120,7 +121,10 @@ fn rest_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     let entry = patches[id.z];
     var velocity = wind.mean;
     for (var k = 0u; k < wind.count; k++) {
-        let octave = wind.octaves[k];
+        var octave = wind.octaves[k];
+        if (entry.flags & 2u) != 0u {
+            octave = tile_wind.octaves[k];
+        }
         let base = wind_patch_phase(octave, entry.patch_index, wind.intervals);
         velocity += octave.amplitude * wind_sample(wind_node_phase(octave, base, vec2<i32>(id.xy) - vec2<i32>(1)));
     }

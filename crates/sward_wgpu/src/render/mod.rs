@@ -8,6 +8,7 @@ pub mod ground;
 mod pipeline;
 pub mod plant_pass;
 pub mod plants;
+pub mod prepare;
 pub mod shadow;
 pub mod sky;
 pub mod targets;

@@ -11,7 +11,7 @@ use crate::interaction::Contact;
 use crate::lanes::Lanes;
 use crate::model::{Model, StandModel};
 use crate::plan::{PatchPlan, StandPlan};
-use crate::state::{Cells, Ground, NONE, PatchKey, Summary};
+use crate::state::{Cells, Ground, NONE, PatchKey, Summary, TILE};
 
 /// One awake patch at work.
 struct Task<'a> {
@@ -51,7 +51,7 @@ fn with_levels<'a, 'b>(
 /// The ground under the cells of a patch: the numbers every backend uses for limits and contact.
 pub fn ground_of(model: &Model, stand: &StandModel, patch: PatchKey) -> Ground {
     let anchor = model.terrain.anchor(patch.map(|p| f64::from(p) * model.patch_side));
-    if model.terrain.is_flat() {
+    if patch == TILE || model.terrain.is_flat() {
         return Ground { values: Box::default(), steepest: 0.0, level: model.terrain.height(anchor, [0.0, 0.0]) };
     }
     let cells = stand.cells as usize;
@@ -99,7 +99,7 @@ pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cel
     let k_w = stand.species.continuum.wind;
     let mut tasks: Vec<Task> = each(plan.patches.iter().collect(), |patch| Task {
         plan: patch,
-        rest: Rest::of(&plan.wind, patch.patch, stand.cells, k_w),
+        rest: Rest::of(if patch.patch == TILE { &plan.tile_wind } else { &plan.wind }, patch.patch, stand.cells, k_w),
         held: Vec::new(),
     });
     each(with_levels(&mut tasks, cells), |(task, now, old, ground)| {

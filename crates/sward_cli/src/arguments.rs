@@ -1,0 +1,239 @@
+//! What can be typed. Numbers are checked here, so that a wrong one stops before anything runs.
+
+use std::ops::Range;
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Largest side of a picture, pixels.
+const LARGEST_SIDE: u32 = 16384;
+/// Latest time that can be asked for, s: eleven days of simulation.
+const LATEST: f64 = 1e6;
+/// Most steps.
+const MOST: u32 = 100_000_000;
+/// Last frame: nine hours of film.
+const LAST_FRAME: u32 = 1_000_000;
+
+const AFTER: &str = "Without a command, `sward` renders the scene `hello` to hello.png in the current folder.\n\
+    Exit status: 0 done, 1 failed, 2 wrong input (then nothing is written).";
+
+const EXAMPLES: &str = "Examples:\n  \
+    sward                                        a first picture: hello.png\n  \
+    sward scenes                                 what scenes there are\n  \
+    sward render reed -o reed.png --time 4       one picture\n  \
+    sward render hello --frames 0..90 -o clip/   three seconds, frame by frame\n  \
+    sward simulate lawn --steps 600 -o data/     the state as NumPy arrays\n  \
+    sward show my_scene.ron                      what a scene contains and costs\n\n\
+    Environment:\n  \
+    SWARD_ADAPTER=part of a name                 which graphics adapter to use\n\n";
+
+/// Vegetation that reacts: render, simulate, compare and inspect scenes.
+#[derive(Debug, Parser)]
+#[command(name = "sward", version, after_help = AFTER, after_long_help = format!("{EXAMPLES}{AFTER}"))]
+pub(crate) struct Arguments {
+    /// Print errors only: no progress, no summary
+    #[arg(long, short, global = true)]
+    pub(crate) quiet: bool,
+    /// What to do
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Draw a scene: one picture, or a sequence of frames
+    #[command(after_long_help = "Examples:\n  \
+        sward render hello\n  \
+        sward render reed -o reed.png --time 4 --size 1920x1080\n  \
+        sward render hello --frames 0..90 --fps 30 -o clip/")]
+    Render(Render),
+    /// Run a scene and write its state as NumPy arrays with a manifest
+    #[command(after_long_help = "Examples:\n  \
+        sward simulate lawn --steps 600 -o data/\n  \
+        sward simulate hello --steps 600 --every 60 -o data/ --on gpu\n\n\
+        data/manifest.json lists every array: name, file, shape, axes, unit, step and time.")]
+    Simulate(Simulate),
+    /// Run a scene on the CPU and on the GPU, and say how far they are apart
+    #[command(after_long_help = "Example:\n  sward compare hello --steps 240\n\nExit status 1 means: further apart than the tolerance.")]
+    Compare(Compare),
+    /// Say what a scene contains and what it costs; needs no graphics adapter
+    #[command(after_long_help = "Examples:\n  sward show hello\n  sward show my_scene.ron")]
+    Show(Show),
+    /// List the scenes that come with sward, or print the text of one
+    #[command(after_long_help = "Examples:\n  sward scenes\n  sward scenes hello > my_scene.ron")]
+    Scenes(Scenes),
+    /// Print the reference page of the scene format (Markdown)
+    SceneFormat,
+    /// Print a script that completes commands when you press Tab
+    #[command(after_long_help = "Example:\n  sward completions bash > ~/.local/share/bash-completion/completions/sward")]
+    Completions(Completions),
+}
+
+/// `sward render`.
+#[derive(Debug, Args)]
+pub(crate) struct Render {
+    /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
+    pub(crate) scene: String,
+    /// Picture (FILE.png) or, with --frames, folder; by default named like the scene
+    #[arg(short, long, value_name = "FILE.png|DIR/")]
+    pub(crate) output: Option<PathBuf>,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
+    pub(crate) size: [u32; 2],
+    /// Moment of the picture, in seconds; by default one that suits the scene
+    #[arg(long, value_name = "S", value_parser = seconds, conflicts_with = "frames", allow_negative_numbers = true)]
+    pub(crate) time: Option<f64>,
+    /// Frames to draw: the first and one past the last; frame 0 is time 0
+    #[arg(long, value_name = "A..B", value_parser = frames)]
+    pub(crate) frames: Option<Range<u32>>,
+    /// Frames per second
+    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=1000), requires = "frames")]
+    pub(crate) fps: u32,
+    /// Where the simulation runs; the picture always needs an adapter
+    #[arg(long, value_enum, default_value_t = Where::Auto)]
+    pub(crate) on: Where,
+}
+
+/// `sward simulate`.
+#[derive(Debug, Args)]
+pub(crate) struct Simulate {
+    /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
+    pub(crate) scene: String,
+    /// Steps to run
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
+    pub(crate) steps: u32,
+    /// Write the state after every K steps, and after the last one; by default only after the last one
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
+    pub(crate) every: Option<u32>,
+    /// Folder to write to; it is made if it is missing
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: PathBuf,
+    /// Where the simulation runs
+    #[arg(long, value_enum, default_value_t = Machine::Cpu)]
+    pub(crate) on: Machine,
+}
+
+/// `sward compare`.
+#[derive(Debug, Args)]
+pub(crate) struct Compare {
+    /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
+    pub(crate) scene: String,
+    /// Steps to run
+    #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
+    pub(crate) steps: u32,
+}
+
+/// `sward show`.
+#[derive(Debug, Args)]
+pub(crate) struct Show {
+    /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
+    pub(crate) scene: String,
+}
+
+/// `sward scenes`.
+#[derive(Debug, Args)]
+pub(crate) struct Scenes {
+    /// Print this scene's text, to start a scene of your own
+    pub(crate) name: Option<String>,
+}
+
+/// `sward completions`.
+#[derive(Debug, Args)]
+pub(crate) struct Completions {
+    /// The shell you use
+    #[arg(value_enum)]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+/// Where the simulation runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Where {
+    /// The GPU if there is a hardware one, else the CPU
+    Auto,
+    /// The CPU: the same bits on every machine
+    Cpu,
+    /// The graphics adapter, also a software one
+    Gpu,
+}
+
+/// Where the simulation runs, where results must not depend on what the machine has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Machine {
+    /// The CPU: the same bits on every machine
+    Cpu,
+    /// The graphics adapter: the same numbers within a tolerance
+    Gpu,
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let wanted = "type width x height, like 960x540";
+    let (width, height) = text.split_once(['x', 'X']).ok_or_else(|| wanted.to_owned())?;
+    let side = |text: &str| match text.parse::<u32>() {
+        Ok(side) if (1..=LARGEST_SIDE).contains(&side) => Ok(side),
+        Ok(_) => Err(format!("a side has 1 to {LARGEST_SIDE} pixels: {wanted}")),
+        Err(_) => Err(wanted.to_owned()),
+    };
+    Ok([side(width)?, side(height)?])
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(time) if (0.0..=LATEST).contains(&time) => Ok(time),
+        Ok(_) => Err(format!("a time is 0 to {LATEST} seconds, like 2.5")),
+        Err(_) => Err("type seconds, like 2.5".to_owned()),
+    }
+}
+
+fn frames(text: &str) -> Result<Range<u32>, String> {
+    let wanted = "type the first frame and one past the last, like 0..90";
+    let (first, end) = text.split_once("..").ok_or_else(|| wanted.to_owned())?;
+    let number = |text: &str| match text.parse::<u32>() {
+        Ok(frame) if frame <= LAST_FRAME => Ok(frame),
+        Ok(_) => Err(format!("frames go up to {LAST_FRAME}: {wanted}")),
+        Err(_) => Err(wanted.to_owned()),
+    };
+    let (first, end) = (number(first)?, number(end)?);
+    match first.cmp(&end) {
+        std::cmp::Ordering::Less => Ok(first..end),
+        std::cmp::Ordering::Equal => Err(format!("that is no frame at all; for one frame type {first}..{}", first + 1)),
+        std::cmp::Ordering::Greater => Err(format!("that runs backwards; type {end}..{first}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn sizes_have_two_sides_in_range() {
+        assert_eq!(size("960x540"), Ok([960, 540]));
+        assert_eq!(size("1X16384"), Ok([1, 16384]));
+        for wrong in ["", "x", "960", "960x", "0x540", "960x0", "16385x1", "-1x5", "9.5x5", "960x540x2", "99999999999x1"] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn times_are_finite_and_not_negative() {
+        assert_eq!((seconds("0"), seconds("2.5")), (Ok(0.0), Ok(2.5)));
+        for wrong in ["", "-1", "-0.1", "NaN", "inf", "1e9", "soon"] {
+            assert!(seconds(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn frames_run_forwards() {
+        assert_eq!(frames("0..90"), Ok(0..90));
+        for wrong in ["", "..", "0", "0..", "..9", "5..5", "9..0", "-1..5", "0..=5", "0..1000001", "0..4294967295"] {
+            assert!(frames(wrong).is_err(), "{wrong}");
+        }
+        assert!(frames("9..0").is_err_and(|advice| advice.contains("0..9")));
+    }
+}

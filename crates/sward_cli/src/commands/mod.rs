@@ -1,0 +1,9 @@
+//! One file per command.
+
+pub(crate) mod compare;
+pub(crate) mod completions;
+pub(crate) mod hello;
+pub(crate) mod render;
+pub(crate) mod scenes;
+pub(crate) mod show;
+pub(crate) mod simulate;

@@ -1,0 +1,140 @@
+//! `sward render`: one picture, or a sequence of frames.
+
+use std::fs::File;
+use std::io::{BufWriter, Error};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder};
+use sward::world::World;
+use sward_wgpu::gpu::Gpu;
+use sward_wgpu::picture::Picture;
+use sward_wgpu::studio::Studio;
+
+use crate::arguments::{self, Where};
+use crate::backend::Backend;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::Progress;
+use crate::scenes::{self, Opened};
+
+/// A picture to take.
+pub(crate) struct Shot {
+    /// Steps done at that moment.
+    step: u64,
+    /// Where it goes.
+    path: PathBuf,
+}
+
+/// What was done, for the summary.
+pub(crate) struct Done {
+    /// Name of the adapter that drew.
+    pub(crate) adapter: String,
+    /// Where the simulation ran.
+    pub(crate) on: String,
+    /// Time of the work, s.
+    pub(crate) seconds: f64,
+}
+
+/// Draws what was asked for.
+pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<(), Failure> {
+    let opened = scenes::open(&arguments.scene)?;
+    let rate = opened.scene.steps_per_second;
+    let (shots, folder, place) = match &arguments.frames {
+        None => {
+            let path = output::picture(arguments.output.as_deref(), &opened.name)?;
+            let shot = single(&opened, arguments.time, path.clone());
+            (vec![shot], None, path)
+        }
+        Some(frames) => {
+            let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}_frames", opened.name)));
+            output::folder(&folder, true)?;
+            let shot = |frame| Shot { step: step_of(frame, arguments.fps, rate), path: folder.join(format!("frame_{frame:04}.png")) };
+            (frames.clone().map(shot).collect(), Some(folder.clone()), folder)
+        }
+    };
+    let done = draw(&opened, &shots, folder.as_deref(), arguments.size, arguments.on, console)?;
+    let [width, height] = arguments.size;
+    let what = match (shots.len(), shots.last()) {
+        (1, Some(shot)) => format!("at {:.2} s", shot.step as f64 / f64::from(rate)),
+        (frames, _) => format!("{frames} frames"),
+    };
+    let (place, Done { adapter, on, seconds }) = (place.display(), done);
+    console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {adapter} in {seconds:.1} s", opened.name))
+}
+
+/// One picture at `time` [s], or at the scene's own moment.
+pub(crate) fn single(opened: &Opened, time: Option<f64>, path: PathBuf) -> Shot {
+    let steps = time.unwrap_or(opened.time) * f64::from(opened.scene.steps_per_second);
+    Shot { step: steps.round() as u64, path }
+}
+
+/// The step nearest to a frame's time.
+fn step_of(frame: u32, fps: u32, rate: u32) -> u64 {
+    let (frame, fps, rate) = (u64::from(frame), u64::from(fps), u64::from(rate));
+    (2 * frame * rate + fps) / (2 * fps)
+}
+
+/// Takes the shots, which are in order of time. Makes `folder` once everything that can be checked has been.
+pub(crate) fn draw(
+    opened: &Opened,
+    shots: &[Shot],
+    folder: Option<&Path>,
+    size: [u32; 2],
+    on: Where,
+    console: &Console,
+) -> Result<Done, Failure> {
+    let begun = Instant::now();
+    let mut world = opened.world()?;
+    let gpu = Gpu::new()?;
+    let largest = gpu.device.limits().max_texture_dimension_2d;
+    if size.iter().any(|side| *side > largest) {
+        let adapter = &gpu.adapter_info.name;
+        let help = format!("type a --size of at most {largest}x{largest}");
+        return Err(Failure::input(format!("{}x{} is too large for {adapter}", size[0], size[1]), help));
+    }
+    let mut backend = Backend::choose(on, &gpu, &world)?;
+    let mut studio = Studio::new(&gpu, &world)?;
+    if let Some(folder) = folder {
+        output::make_folder(folder)?;
+    }
+    let steps = shots.last().map_or(0, |shot| shot.step);
+    let mut progress = Progress::new(steps + shots.len() as u64, "steps and pictures", console);
+    for shot in shots {
+        advance_to(&mut world, shot.step, &mut backend, &mut progress)?;
+        let picture = studio.draw(&gpu, &world, backend.cells(), size)?;
+        output::write_whole(&shot.path, |writer| write_png(writer, &picture))?;
+        progress.advance();
+    }
+    let (adapter, on) = (gpu.adapter_info.name.clone(), backend.name().to_owned());
+    Ok(Done { adapter, on, seconds: begun.elapsed().as_secs_f64() })
+}
+
+fn advance_to(world: &mut World, step: u64, backend: &mut Backend<'_>, progress: &mut Progress) -> Result<(), Failure> {
+    while world.state.step < step {
+        backend.step(world)?;
+        progress.advance();
+    }
+    Ok(())
+}
+
+/// As RGB: a picture is opaque.
+fn write_png(writer: &mut BufWriter<File>, picture: &Picture) -> std::io::Result<()> {
+    let rgb: Vec<u8> = picture.rgba8.chunks_exact(4).flat_map(|pixel| &pixel[..3]).copied().collect();
+    let encoder = PngEncoder::new(writer);
+    encoder.write_image(&rgb, picture.width, picture.height, ExtendedColorType::Rgb8).map_err(Error::other)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::step_of;
+
+    #[test]
+    fn frames_are_drawn_at_the_nearest_step() {
+        assert_eq!([0, 1, 2, 90].map(|frame| step_of(frame, 30, 60)), [0, 2, 4, 180]);
+        assert_eq!([0, 1, 2, 3].map(|frame| step_of(frame, 24, 60)), [0, 3, 5, 8]);
+        assert_eq!([0, 1, 2, 3].map(|frame| step_of(frame, 120, 60)), [0, 1, 1, 2]);
+    }
+}

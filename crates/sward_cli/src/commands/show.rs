@@ -1,0 +1,212 @@
+//! `sward show`: what a scene contains and what it costs, without running it.
+
+use std::fmt::Write;
+
+use sward::model::StandModel;
+use sward::scene::{Interactor, Path, Shape, Terrain, WindSource};
+use sward::world::World;
+
+use crate::arguments;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::scenes::{self, Opened};
+
+/// Bytes of one number.
+const NUMBER: u64 = 4;
+/// Bytes of a megabyte, as printed.
+const MEGABYTE: f64 = 1e6;
+
+/// Prints the page.
+pub(crate) fn run(arguments: &arguments::Show, console: &Console) -> Result<(), Failure> {
+    let opened = scenes::open(&arguments.scene)?;
+    let world = opened.world()?;
+    console.answer(&page(&opened, &world))
+}
+
+fn page(opened: &Opened, world: &World) -> String {
+    let mut text = String::new();
+    let scene = &opened.scene;
+    let title = if scene.title.is_empty() { &opened.name } else { &scene.title };
+    line(&mut text, "scene", &format!("{title}, seed {}, {} steps per second", scene.seed, scene.steps_per_second));
+    line(&mut text, "field", &field(world));
+    line(&mut text, "terrain", &terrain(opened));
+    for (index, stand) in world.model.stands.iter().enumerate() {
+        let species = format!("{:?}", scene.stands[index].species).to_lowercase();
+        text += &show_stand(world, index, stand, &species);
+    }
+    if world.model.stands.is_empty() {
+        line(&mut text, "stands", "none: nothing grows");
+    }
+    text.push('\n');
+    for source in &scene.wind {
+        line(&mut text, "wind", &wind(source));
+    }
+    if scene.wind.is_empty() {
+        line(&mut text, "wind", "none: calm air");
+    }
+    for body in &scene.interactors {
+        let name = if body.name.is_empty() { "unnamed" } else { &body.name };
+        line(&mut text, "body", &format!("{name}: {}, {}{}", shape(&body.shape), path(&body.path), presence(body)));
+    }
+    if scene.interactors.is_empty() {
+        line(&mut text, "body", "none: nothing pushes the plants");
+    }
+    let total: f64 = (0..world.model.stands.len()).map(|index| budget_bytes(world, index) as f64).sum();
+    text.push('\n');
+    let budget = &scene.budget;
+    line(&mut text, "budget", &format!("{:.1} MB of cells at most, in {} patches per stand", total / MEGABYTE, budget.patches));
+    let (plants, focus, lag) = (budget.visible_plants, budget.focus_distance, budget.lag_distance);
+    line(
+        &mut text,
+        "",
+        &format!("{} plants drawn at once; gusts stir patches within {focus} m, tips trail within {lag} m", grouped(plants.into())),
+    );
+    text
+}
+
+fn line(text: &mut String, label: &str, value: &str) {
+    // Writing to a String does not fail.
+    let _ = writeln!(text, "{label:<10}{value}");
+}
+
+fn field(world: &World) -> String {
+    let side = world.model.patch_side;
+    match world.scene.field.patches {
+        Some([x, z]) => {
+            let [width, length] = [x, z].map(|patches| metres(f64::from(patches) * side));
+            format!("{x} x {z} patches of {} a side: {width} x {length}", metres(side))
+        }
+        None => format!("patches of {} a side, without end", metres(side)),
+    }
+}
+
+fn terrain(opened: &Opened) -> String {
+    match &opened.scene.terrain {
+        Terrain::Flat(flat) => format!("flat, at {} m", flat.height),
+        Terrain::Image(image) => format!("{}, scaled by {}", image.path, image.scale),
+    }
+}
+
+fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) -> String {
+    let mut text = String::from("\n");
+    let [low, high] = stand.species.height;
+    let continuum = &stand.species.continuum;
+    let kind = if stand.name == species { String::new() } else { format!(" ({species})") };
+    line(&mut text, "stand", &format!("{}{kind}: plants {low} to {high} m high", stand.name));
+    let cell = stand.spacing;
+    line(&mut text, "", &format!("{0} x {0} cells of {cell:.3} m a patch, {1}", stand.cells, plants(world, stand)));
+    // λ = 1 − e^(−ζ√κ/30), solved for ζ.
+    let damping = -30.0 * (1.0 - continuum.lambda_theta).ln() / continuum.kappa.sqrt();
+    let frequency = continuum.frequency();
+    let sways = match frequency > 0.0 {
+        true => format!("sways at {frequency:.2} Hz, damping ratio {damping:.2}{}", if damping < 1.0 { "" } else { " (creeps back)" }),
+        false => "never stands up again (kappa is 0)".to_owned(),
+    };
+    line(&mut text, "", &sways);
+    let (speed, cap) = (continuum.c0, stand.coefficients.speed_cap);
+    let slowed = if speed > cap { format!(", held to {cap:.2} m/s by the step and cell size") } else { String::new() };
+    line(&mut text, "", &format!("pushes spread at {speed} m/s{slowed}; {} substep{} a step", stand.substeps, plural(stand.substeps)));
+    let segments = stand.lag.segments;
+    let trail = format!("the tip trails by {} s bending, {} s standing up", continuum.gamma_top, continuum.gamma_recover);
+    line(&mut text, "", &format!("{segments} segment{} a plant; {trail}", plural(segments)));
+    let (patch, upper) = (patch_bytes(world, stand), lag_bytes(stand));
+    let total = budget_bytes(world, index) as f64 / MEGABYTE;
+    line(&mut text, "", &format!("{} bytes a patch and {} for its upper segments; {total:.1} MB at most", grouped(patch), grouped(upper)));
+    text
+}
+
+fn plants(world: &World, stand: &StandModel) -> String {
+    let patch = f64::from(stand.cells) * f64::from(stand.cells) * f64::from(stand.placement.cover);
+    let square = world.model.patch_side * world.model.patch_side;
+    match world.scene.field.patches {
+        Some([x, z]) => format!("about {} plants in all", grouped((patch * f64::from(x) * f64::from(z)).round() as u64)),
+        None => {
+            format!("about {} plants a patch, {} a hectare", grouped(patch.round() as u64), grouped((patch * 1e4 / square).round() as u64))
+        }
+    }
+}
+
+/// Two time levels of β and ω, and the slopes where the ground is not flat.
+fn patch_bytes(world: &World, stand: &StandModel) -> u64 {
+    let slopes = if world.model.terrain.is_flat() { 0 } else { 2 };
+    NUMBER * (2 * 4 + slopes) * u64::from(stand.cells) * u64::from(stand.cells)
+}
+
+/// Upper segments of one patch, and the past that `History` keeps.
+fn lag_bytes(stand: &StandModel) -> u64 {
+    let planes = if stand.lag.segments < 2 { 0 } else { 2 * (u64::from(stand.lag.segments) - 1) };
+    let past = if stand.lag.kind == 1 && planes > 0 { 2 * u64::from(stand.lag.ring) } else { 0 };
+    NUMBER * (planes + past) * u64::from(stand.cells) * u64::from(stand.cells)
+}
+
+fn budget_bytes(world: &World, index: usize) -> u64 {
+    let (stand, slots) = (&world.model.stands[index], &world.state.stands[index]);
+    slots.free.len() as u64 * patch_bytes(world, stand) + slots.lag_free.len() as u64 * lag_bytes(stand)
+}
+
+fn wind(source: &WindSource) -> String {
+    let speed = |[x, z]: [f32; 2]| format!("{:.1} m/s ({x} along x, {z} along z)", (x * x + z * z).sqrt());
+    match source {
+        WindSource::Uniform(wind) => format!("steady, {}", speed(wind.velocity)),
+        WindSource::Natural(wind) => format!("gusty, {} and {:.0} % turbulence", speed(wind.velocity), 100.0 * wind.turbulence),
+    }
+}
+
+fn shape(shape: &Shape) -> String {
+    match shape {
+        Shape::Box(of) => format!("box of {} x {} x {} m", of.size[0], of.size[1], of.size[2]),
+        Shape::Polygon(of) => format!("prism of {} corners, {} m high", of.points.len(), of.height),
+        Shape::Sphere(of) => format!("sphere of radius {} m", of.radius),
+        Shape::Ellipsoid(of) => format!("ellipsoid of {} x {} x {} m", 2.0 * of.radii[0], 2.0 * of.radii[1], 2.0 * of.radii[2]),
+        Shape::Truck => "truck".to_owned(),
+        Shape::Compound(of) => format!("compound of {} parts", of.parts.len()),
+    }
+}
+
+fn path(path: &Path) -> String {
+    match path {
+        Path::Still(_) => "stands still".to_owned(),
+        Path::Keyframes(of) => {
+            let end = of.keys.last().map_or(0.0, |key| key.time);
+            format!("passes {} places in {end} s{}", of.keys.len(), if of.repeat { ", again and again" } else { "" })
+        }
+        Path::Circle(of) => format!("circles at {} m/s, radius {} m", of.speed, of.radius),
+        Path::Driven(_) => "moved by a program".to_owned(),
+    }
+}
+
+fn presence(body: &Interactor) -> String {
+    match (body.from > 0.0, body.until < 1e9) {
+        (false, false) => String::new(),
+        (true, false) => format!(", from {} s", body.from),
+        (false, true) => format!(", until {} s", body.until),
+        (true, true) => format!(", from {} to {} s", body.from, body.until),
+    }
+}
+
+fn plural(count: u32) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
+fn metres(length: f64) -> String {
+    if length < 1e4 { format!("{length:.3} m").replace(".000", "") } else { format!("{:.1} km", length / 1e3) }
+}
+
+/// Digits in groups of three.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let first = digits.len() % 3;
+    let groups = std::iter::once(&digits[..first]).chain((first..digits.len()).step_by(3).map(|at| &digits[at..at + 3]));
+    groups.filter(|group| !group.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{grouped, metres};
+
+    #[test]
+    fn long_numbers_are_readable() {
+        assert_eq!([0, 12, 123, 1234, 1_234_567].map(grouped), ["0", "12", "123", "1 234", "1 234 567"]);
+        assert_eq!([32.0, 54.864, 482_803.2].map(metres), ["32 m", "54.864 m", "482.8 km"]);
+    }
+}

@@ -1,0 +1,165 @@
+//! The state at one moment, as arrays.
+
+use std::path::Path;
+
+use npyz::{AutoSerialize, WriterBuilder};
+use sward::model::StandModel;
+use sward::response::continuum::NODE_CELLS;
+use sward::state::{BodyState, StandState};
+use sward::wind::WindField;
+use sward::world::World;
+
+use super::manifest::{Array, Column, Grid};
+use crate::failure::Failure;
+use crate::output;
+
+/// Samples of the wind along each axis.
+const WIND_SIDE: i32 = 65;
+/// Distance of wind samples to aim at, m.
+const WIND_SPACING: f64 = 2.0;
+
+/// Columns of `bodies`. All but `present` are not a number (NaN) while a body is away.
+const BODY_COLUMNS: [(&str, &str); 9] = [
+    ("present", ""),
+    ("x", "m"),
+    ("height", "m"),
+    ("z", "m"),
+    ("yaw", "rad"),
+    ("slope_x", ""),
+    ("slope_z", ""),
+    ("velocity_x", "m/s"),
+    ("velocity_z", "m/s"),
+];
+
+/// Writes the arrays of this moment and adds them to `list`.
+pub(super) fn write(world: &World, folder: &Path, list: &mut Vec<Array>) -> Result<(), Failure> {
+    let mut writer = Writer { world, folder, list };
+    for index in 0..world.model.stands.len() {
+        writer.stand(index)?;
+    }
+    writer.bodies()?;
+    writer.wind()
+}
+
+struct Writer<'a> {
+    world: &'a World,
+    folder: &'a Path,
+    list: &'a mut Vec<Array>,
+}
+
+impl Writer<'_> {
+    /// An entry of the manifest; `stem` begins the file's name.
+    fn entry(&self, name: &str, stem: &str, meaning: &'static str, unit: &'static str) -> Array {
+        let step = self.world.state.step;
+        Array {
+            name: name.to_owned(),
+            meaning,
+            file: format!("{stem}_{step:06}.npy"),
+            dtype: "",
+            shape: Vec::new(),
+            axes: Vec::new(),
+            unit,
+            step,
+            time: self.world.time(),
+            columns: Vec::new(),
+            rows: Vec::new(),
+            grid: None,
+        }
+    }
+
+    fn save<T: AutoSerialize>(
+        &mut self,
+        entry: Array,
+        dtype: &'static str,
+        axes: &[(&'static str, u64)],
+        data: impl Iterator<Item = T>,
+    ) -> Result<(), Failure> {
+        let shape: Vec<u64> = axes.iter().map(|(_, length)| *length).collect();
+        output::write_whole(&self.folder.join(&entry.file), |file| {
+            let mut writer = npyz::WriteOptions::new().default_dtype().shape(&shape).writer(file).begin_nd()?;
+            writer.extend(data)?;
+            writer.finish()
+        })?;
+        self.list.push(Array { dtype, shape, axes: axes.iter().map(|(axis, _)| *axis).collect(), ..entry });
+        Ok(())
+    }
+
+    fn stand(&mut self, index: usize) -> Result<(), Failure> {
+        let world = self.world;
+        let (model, state) = (&world.model.stands[index], &world.state.stands[index]);
+        let stem = format!("{index}_{}", plain(&model.name));
+        let (patches, cells) = (state.awake.len() as u64, u64::from(model.cells));
+        let entry =
+            self.entry(&format!("{}/patches", model.name), &format!("{stem}_patches"), "coordinates of the awake patches", "patches");
+        let keys = state.awake.keys().flatten().copied();
+        self.save(entry, "<i4", &[("patch", patches), ("x, z", 2)], keys)?;
+        let fields =
+            [("beta", "bend of each cell, as a vector over the ground", "rad"), ("omega", "bending velocity of each cell", "rad/s")];
+        let axes = [("patch", patches), ("cell z", cells), ("cell x", cells), ("x, z", 2)];
+        for (first_plane, (field, meaning, unit)) in [0, 2].into_iter().zip(fields) {
+            let entry = self.entry(&format!("{}/{field}", model.name), &format!("{stem}_{field}"), meaning, unit);
+            let awake = awake_cells(model, state)?;
+            self.save(entry, "<f4", &axes, awake.into_iter().flat_map(|cells| pairs(cells, first_plane)))?;
+        }
+        Ok(())
+    }
+
+    fn bodies(&mut self) -> Result<(), Failure> {
+        let world = self.world;
+        let mut entry = self.entry("bodies", "bodies", "poses of the bodies after the step", "see columns");
+        entry.columns = BODY_COLUMNS.map(|(name, unit)| Column { name, unit }).into();
+        let name = |(index, name): (usize, &String)| if name.is_empty() { format!("body {index}") } else { name.clone() };
+        entry.rows = world.model.bodies.iter().map(|body| &body.name).enumerate().map(name).collect();
+        let axes = [("body", world.state.bodies.len() as u64), ("column", BODY_COLUMNS.len() as u64)];
+        self.save(entry, "<f8", &axes, world.state.bodies.iter().flat_map(|body| body_row(body, world.model.dt)))
+    }
+
+    /// On nodes of the first stand's own grid, so that these are the very numbers the plants feel.
+    fn wind(&mut self) -> Result<(), Failure> {
+        let world = self.world;
+        let node = world.model.stands.first().map_or(WIND_SPACING, |stand| stand.spacing * f64::from(NODE_CELLS));
+        let stride = (WIND_SPACING / node).round().max(1.0);
+        let spacing = stride * node;
+        let wind = WindField::at(&world.model.sources, world.state.step, world.model.dt, node);
+        let focus = world.state.focuses.first().copied().unwrap_or_else(|| world.camera().focus());
+        let first = focus.map(|at| (at / spacing).round() as i32 - WIND_SIDE / 2);
+        let phases = wind.patch_phases([0, 0], 0);
+        let sample = |k: i32, axis: usize| first[axis].saturating_add(k).saturating_mul(stride as i32);
+        let nodes = (0..WIND_SIDE).flat_map(|z| (0..WIND_SIDE).map(move |x| [x, z]));
+        let data = nodes.flat_map(|[x, z]| wind.velocity(&phases, [sample(x, 0), sample(z, 1)]));
+        let mut entry = self.entry("wind", "wind", "velocity of the air around the focus", "m/s");
+        entry.grid = Some(Grid { first: first.map(|k| f64::from(k) * spacing), spacing });
+        self.save(entry, "<f4", &[("z", WIND_SIDE as u64), ("x", WIND_SIDE as u64), ("x, z", 2)], data)
+    }
+}
+
+/// Planes of each awake patch, in key order.
+fn awake_cells<'a>(model: &StandModel, state: &'a StandState) -> Result<Vec<&'a [f32]>, Failure> {
+    let length = 4 * (model.cells * model.cells) as usize;
+    let cells = state.awake.values().map(|awake| state.cells.now.get(awake.slot as usize).map(|cells| &cells[..]));
+    let whole = cells.map(|cells| cells.filter(|cells| cells.len() == length));
+    whole.collect::<Option<_>>().ok_or_else(|| Failure::failed(format!("cells of the stand `{}` were not copied back", model.name)))
+}
+
+/// Two planes as pairs.
+fn pairs(cells: &[f32], first_plane: usize) -> impl Iterator<Item = f32> {
+    let area = cells.len() / 4;
+    let (x, z) = (&cells[first_plane * area..][..area], &cells[(first_plane + 1) * area..][..area]);
+    x.iter().zip(z).flat_map(|(x, z)| [*x, *z])
+}
+
+fn body_row(body: &BodyState, dt: f64) -> [f64; BODY_COLUMNS.len()] {
+    let Some(pose) = &body.pose else {
+        let mut row = [f64::NAN; BODY_COLUMNS.len()];
+        row[0] = 0.0;
+        return row;
+    };
+    let velocity = body.before.map_or([0.0; 2], |before| [0, 1].map(|axis| (pose.ground[axis] - before.ground[axis]) / dt));
+    let [x, z] = pose.ground;
+    [1.0, x, pose.height, z, pose.yaw, pose.slope[0], pose.slope[1], velocity[0], velocity[1]]
+}
+
+/// A stand's name as part of a file's name: letters, digits, `-` and `_`.
+fn plain(name: &str) -> String {
+    name.chars().take(40).map(|letter| if letter.is_ascii_alphanumeric() || letter == '-' { letter } else { '_' }).collect()
+}

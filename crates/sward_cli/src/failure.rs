@@ -1,0 +1,108 @@
+//! What can go wrong, in plain words: what happened, where, and what to type instead.
+
+use std::fmt;
+use std::io::IsTerminal;
+use std::process::ExitCode;
+
+use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, NamedSource, Report, SourceCode};
+use sward::scene::SceneError;
+use sward_wgpu::gpu::GpuError;
+
+/// Why a command did not do what was asked.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    message: String,
+    help: Option<String>,
+    source: Option<Box<Place>>,
+    status: u8,
+}
+
+/// Where in a scene file.
+#[derive(Debug)]
+struct Place {
+    text: NamedSource<String>,
+    label: LabeledSpan,
+}
+
+impl Failure {
+    /// What was asked for cannot be done (status 2); nothing has been written.
+    pub(crate) fn input(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { message: message.into(), help: Some(help.into()), source: None, status: 2 }
+    }
+
+    /// The machine did not play along (status 1).
+    pub(crate) fn failed(message: impl Into<String>) -> Self {
+        Self { message: message.into(), help: None, source: None, status: 1 }
+    }
+
+    /// Adds what to do about it.
+    pub(crate) fn help(self, help: impl Into<String>) -> Self {
+        Self { help: Some(help.into()), ..self }
+    }
+
+    /// Prints the failure and gives the process's exit status.
+    pub(crate) fn report(self) -> ExitCode {
+        let status = self.status;
+        // Lines are broken only for a reader: a log or an editor wants each message whole.
+        let whole = !std::io::stderr().is_terminal();
+        // The hook can be set only once; a second report would look the same.
+        let _ = miette::set_hook(Box::new(move |_| {
+            let options = MietteHandlerOpts::new();
+            Box::new(if whole { options.wrap_lines(false).color(false) } else { options }.build())
+        }));
+        eprintln!("{:?}", Report::new(self));
+        ExitCode::from(status)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Failure {}
+
+impl Diagnostic for Failure {
+    fn help(&self) -> Option<Box<dyn fmt::Display + '_>> {
+        self.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.source.as_ref().map(|place| &place.text as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        self.source.as_ref().map(|place| Box::new(std::iter::once(place.label.clone())) as Box<dyn Iterator<Item = LabeledSpan>>)
+    }
+}
+
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
+        let name = if error.file.is_empty() { "scene" } else { &error.file };
+        if error.line == 0 {
+            return Self { message: format!("{name}: {}", error.message), help: error.help, source: None, status: 2 };
+        }
+        let span = error.span();
+        // One letter is enough to point at; the rest of the line may be fine.
+        let letter = error.text[span.clone()].chars().next().map_or(0, char::len_utf8);
+        let label = LabeledSpan::at(span.start..span.start + letter, "here");
+        let text = NamedSource::new(name, error.text.clone());
+        Self {
+            message: format!("{name}:{}:{}: {}", error.line, error.column, error.message),
+            help: error.help,
+            source: Some(Box::new(Place { text, label })),
+            status: 2,
+        }
+    }
+}
+
+impl From<GpuError> for Failure {
+    fn from(error: GpuError) -> Self {
+        let text = error.to_string();
+        match text.split_once(". ") {
+            Some((what, advice)) if matches!(error, GpuError::NoAdapter) => Self::failed(what).help(advice),
+            _ => Self::failed(text),
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Files and folders to write: checked before the work, written whole or not at all.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use crate::failure::Failure;
+
+/// The place of one picture: `wanted`, or `name`.png in the current folder.
+pub(crate) fn picture(wanted: Option<&Path>, name: &str) -> Result<PathBuf, Failure> {
+    let path = wanted.map_or_else(|| PathBuf::from(format!("{name}.png")), Path::to_owned);
+    let shown = path.display();
+    if path.is_dir() || ends_in_separator(&path) {
+        let inside = path.join(format!("{name}.png"));
+        return Err(Failure::input(format!("{shown} is a folder, but one picture is one file"), format!("type -o {}", inside.display())));
+    }
+    if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+        let named = path.with_extension("png");
+        return Err(Failure::input(
+            format!("pictures are PNG files, and {shown} is not named like one"),
+            format!("type -o {}", named.display()),
+        ));
+    }
+    has_parent(&path)?;
+    Ok(path)
+}
+
+/// A folder to write several files to. It may be missing, the folder around it may not.
+pub(crate) fn folder(path: &Path, for_pictures: bool) -> Result<(), Failure> {
+    let shown = path.display();
+    if path.is_dir() {
+        return Ok(());
+    }
+    let like_a_file = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+    if path.exists() || (for_pictures && like_a_file && !ends_in_separator(path)) {
+        let named = path.with_extension("");
+        let help = format!("type a folder: -o {}{}", named.display(), if named == path { "_files/" } else { "/" });
+        return Err(Failure::input(format!("{shown} is a file, but several files are to be written"), help));
+    }
+    has_parent(path)
+}
+
+fn has_parent(path: &Path) -> Result<(), Failure> {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() && !parent.is_dir() => {
+            let shown = parent.display();
+            Err(Failure::input(format!("the folder {shown} does not exist"), format!("make it first: mkdir -p {shown}")))
+        }
+        None => Err(Failure::input(format!("cannot write to `{}`", path.display()), "type -o and a name")),
+        _ => Ok(()),
+    }
+}
+
+fn ends_in_separator(path: &Path) -> bool {
+    path.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR])
+}
+
+/// Makes a folder that [`folder`] has checked.
+pub(crate) fn make_folder(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() {
+        return Ok(());
+    }
+    std::fs::create_dir(path).map_err(|error| cannot_write(path, &error))
+}
+
+/// Removes a file of an earlier run; that there is none is fine.
+pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
+    match std::fs::remove_file(path) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(cannot_write(path, &error)),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file under another name first: whoever looks sees the old file or the whole new one.
+pub(crate) fn write_whole(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>) -> Result<(), Failure> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let partial = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
+    let written = File::create(&partial).and_then(|file| {
+        let mut writer = BufWriter::new(file);
+        write(&mut writer)?;
+        writer.flush()?;
+        std::fs::rename(&partial, path)
+    });
+    written.map_err(|error| {
+        // The first error is the one to tell; a leftover that cannot be removed says no more.
+        let _ = std::fs::remove_file(&partial);
+        cannot_write(path, &error)
+    })
+}
+
+fn cannot_write(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::failed(format!("cannot write {}: {error}", path.display()))
+}

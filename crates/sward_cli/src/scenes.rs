@@ -1,0 +1,148 @@
+//! Scenes by name or path, and the files they need.
+
+use std::path::{Path, PathBuf};
+
+use sward::model::{Assets, Folder};
+use sward::scene::Scene;
+use sward::world::World;
+
+use crate::failure::Failure;
+
+/// A larger file is no scene, bytes.
+const LARGEST: u64 = 16 << 20;
+/// Moment of a picture of a scene that does not come with sward, s.
+const USUAL_TIME: f64 = 5.0;
+
+/// A scene that comes with sward.
+pub(crate) struct Shipped {
+    /// What to type.
+    pub(crate) name: &'static str,
+    /// The scene.
+    pub(crate) text: &'static str,
+    /// A good moment for a picture, s.
+    pub(crate) time: f64,
+}
+
+macro_rules! shipped {
+    ($($name:literal at $time:literal;)*) => {
+        &[$(Shipped { name: $name, text: include_str!(concat!("../../../scenes/", $name, ".ron")), time: $time }),*]
+    };
+}
+
+/// All of them. In `hello` the pickup is near the camera at 6.2 s, and its whole track is in view.
+pub(crate) const SHIPPED: &[Shipped] = shipped! {
+    "hello" at 6.2;
+    "lawn" at 6.0;
+    "reed" at 5.0;
+    "crossing" at 7.0;
+    "paper" at 5.2;
+    "endless" at 5.0;
+};
+
+/// The files that come with sward.
+struct Embedded;
+
+const FILES: &[(&str, &[u8])] = &[
+    ("assets/jacksboro.png", include_bytes!("../../../assets/jacksboro.png")),
+    ("assets/jacksboro.toml", include_bytes!("../../../assets/jacksboro.toml")),
+];
+
+impl Assets for Embedded {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        let file = FILES.iter().find(|(name, _)| *name == path);
+        file.map(|(_, bytes)| bytes.to_vec()).ok_or_else(|| format!("{path} does not come with sward"))
+    }
+}
+
+/// Files near a scene: in its folder, in the folder above, or among those that come with sward.
+struct Near(PathBuf);
+
+impl Assets for Near {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        let folders = [self.0.clone(), self.0.join("..")];
+        let found = folders.iter().find(|folder| folder.join(path).is_file());
+        match found {
+            Some(folder) => Folder(folder.clone()).read(path),
+            None => Embedded.read(path).map_err(|_| format!("{path} is neither in {} nor in the folder above", self.0.display())),
+        }
+    }
+}
+
+/// A scene, read and checked, and where its files are.
+pub(crate) struct Opened {
+    /// Name for files and messages: of the shipped scene, or of the file without its ending.
+    pub(crate) name: String,
+    /// The scene as written.
+    pub(crate) scene: Scene,
+    /// A good moment for a picture, s.
+    pub(crate) time: f64,
+    assets: Box<dyn Assets>,
+}
+
+impl Opened {
+    /// The world at time 0.
+    pub(crate) fn world(&self) -> Result<World, Failure> {
+        Ok(World::new(self.scene.clone(), &*self.assets)?)
+    }
+}
+
+/// The shipped scene of this name.
+pub(crate) fn shipped(name: &str) -> Option<&'static Shipped> {
+    SHIPPED.iter().find(|scene| scene.name == name)
+}
+
+/// Opens a scene by its shipped name or its path.
+pub(crate) fn open(scene: &str) -> Result<Opened, Failure> {
+    if let Some(shipped) = shipped(scene) {
+        let parsed = Scene::parse(shipped.text, &format!("{scene}.ron"))?;
+        return Ok(Opened { name: scene.to_owned(), scene: parsed, time: shipped.time, assets: Box::new(Embedded) });
+    }
+    let path = Path::new(scene);
+    let looks_like_path = scene.contains(['/', '\\']) || path.extension().is_some();
+    if !looks_like_path && !path.exists() {
+        return Err(unknown(scene));
+    }
+    let text = text_of(path)?;
+    let parsed = Scene::parse(&text, scene)?;
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let name = path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    Ok(Opened { name, scene: parsed, time: USUAL_TIME, assets: Box::new(Near(folder.to_owned())) })
+}
+
+fn text_of(path: &Path) -> Result<String, Failure> {
+    let shown = path.display();
+    let about = std::fs::metadata(path).map_err(|error| {
+        let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+        let help = match nearest(stem) {
+            Some(name) => format!("check the path, or type the name of a shipped scene: {name}"),
+            None => format!("check the path, or type the name of a shipped scene: {}", names()),
+        };
+        Failure::input(format!("the scene {shown} cannot be read: {error}"), help)
+    })?;
+    if about.is_dir() {
+        return Err(Failure::input(format!("{shown} is a folder, not a scene"), format!("type the file: {shown}/NAME.ron")));
+    }
+    if !about.is_file() || about.len() > LARGEST {
+        return Err(Failure::input(format!("{shown} is not a scene file"), "a scene is a text file of at most 16 MB"));
+    }
+    let bytes =
+        std::fs::read(path).map_err(|error| Failure::input(format!("the scene {shown} cannot be read: {error}"), "check the path"))?;
+    String::from_utf8(bytes).map_err(|_| Failure::input(format!("{shown} is not UTF-8 text"), "save it as UTF-8, or name a .ron file"))
+}
+
+/// Complains about a name that no shipped scene has.
+pub(crate) fn unknown(name: &str) -> Failure {
+    let guess = nearest(name).map_or_else(String::new, |near| format!("did you mean `{near}`? "));
+    let help = format!("{guess}shipped scenes: {}; for a file of your own, type its path: {name}.ron", names());
+    Failure::input(format!("there is no scene called `{name}`"), help)
+}
+
+fn names() -> String {
+    SHIPPED.iter().map(|scene| scene.name).collect::<Vec<_>>().join(", ")
+}
+
+fn nearest(name: &str) -> Option<&'static str> {
+    let likeness = |scene: &Shipped| strsim::jaro_winkler(&name.to_lowercase(), scene.name);
+    let near = SHIPPED.iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
+    (likeness(near) > 0.7).then_some(near.name)
+}

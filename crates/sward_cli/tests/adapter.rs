@@ -1,0 +1,101 @@
+//! What needs a graphics adapter. Without one these tests are ignored, not passed; with `CI` set they fail.
+
+mod support;
+use libtest_mimic::{Arguments, Failed, Trial};
+use support::Place;
+use sward_wgpu::gpu::Gpu;
+
+fn main() {
+    let arguments = Arguments::from_args();
+    let missing = Gpu::new().is_err() && std::env::var_os("CI").is_none();
+    let tests: [(&str, fn()); 7] = [
+        ("without_arguments_a_first_picture_is_made", without_arguments_a_first_picture_is_made),
+        ("render_writes_one_picture_of_the_asked_size", render_writes_one_picture_of_the_asked_size),
+        ("render_writes_a_sequence_of_frames", render_writes_a_sequence_of_frames),
+        ("render_refuses_what_the_adapter_cannot_draw", render_refuses_what_the_adapter_cannot_draw),
+        ("compare_finds_agreement", compare_finds_agreement),
+        ("compare_does_not_call_nothing_agreement", compare_does_not_call_nothing_agreement),
+        ("simulate_writes_the_same_shapes_on_the_gpu", simulate_writes_the_same_shapes_on_the_gpu),
+    ];
+    let trials = tests.map(|(name, test)| Trial::test(name, move || ran(test)).with_ignored_flag(missing));
+    libtest_mimic::run(&arguments, trials.into()).exit();
+}
+
+fn ran(test: fn()) -> Result<(), Failed> {
+    test();
+    Ok(())
+}
+
+/// Runs `sward` and returns what it said. Drivers may grumble on stderr, so only the status counts.
+fn said(place: &Place, arguments: &[&str]) -> String {
+    let ran = place.sward(arguments);
+    assert_eq!(ran.status, 0, "{arguments:?}: {}{}", ran.text, ran.errors);
+    ran.text
+}
+
+/// Width and height in a PNG's header.
+fn size_of(place: &Place, file: &str) -> [u32; 2] {
+    let bytes = std::fs::read(place.0.join(file)).expect("the picture exists");
+    assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
+    [16, 20].map(|at| u32::from_be_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]))
+}
+
+fn without_arguments_a_first_picture_is_made() {
+    let place = Place::new("hello");
+    let text = said(&place, &[]);
+    assert_eq!(size_of(&place, "hello.png"), [960, 540]);
+    for word in ["hello.png", "960x540", "drawn on", "Try next:"] {
+        assert!(text.contains(word), "no `{word}` in\n{text}");
+    }
+    assert_eq!(text.lines().filter(|line| line.starts_with("  sward ")).count(), 3, "{text}");
+}
+
+fn render_writes_one_picture_of_the_asked_size() {
+    let place = Place::with_small("render");
+    for on in ["auto", "cpu", "gpu"] {
+        let text = said(&place, &["render", "small.ron", "--size", "64x36", "--time", "0.1", "--on", on]);
+        assert!(text.contains("small.png") && text.contains("64x36") && text.contains("0.10 s"), "{text}");
+        assert_eq!(size_of(&place, "small.png"), [64, 36]);
+    }
+    assert_eq!(said(&place, &["render", "small.ron", "--size", "8x8", "--time", "0", "-o", "a.png", "-q"]), "");
+    assert_eq!(place.files(), ["a.png", "small.png", "small.ron"]);
+}
+
+fn render_writes_a_sequence_of_frames() {
+    let place = Place::with_small("frames");
+    said(&place, &["render", "small.ron", "--size", "32x18", "--frames", "2..5", "--fps", "24", "-o", "clip/"]);
+    assert_eq!(place.files(), ["clip", "clip/frame_0002.png", "clip/frame_0003.png", "clip/frame_0004.png", "small.ron"]);
+    assert_eq!(size_of(&place, "clip/frame_0004.png"), [32, 18]);
+}
+
+fn render_refuses_what_the_adapter_cannot_draw() {
+    Place::with_small("too_large").refuses(&["render", "small.ron", "--size", "16384x16"], &["too large", "--size"]);
+}
+
+fn compare_finds_agreement() {
+    let text = said(&Place::with_small("compare"), &["compare", "small.ron", "--steps", "40"]);
+    for word in ["activation", "bend", "rate", "upper segments", "p99.9", "outliers", "Tolerance"] {
+        assert!(text.contains(word), "no `{word}` in\n{text}");
+    }
+    assert!(!text.contains("over the tolerance"), "{text}");
+}
+
+fn compare_does_not_call_nothing_agreement() {
+    let place = Place::new("compare_nothing");
+    place.write("still.ron", "(version: 1, stands: [(species: Meadow, cells: 8)])");
+    let ran = place.sward(&["compare", "still.ron", "--steps", "4"]);
+    assert_eq!(ran.status, 1, "{}", ran.text);
+    assert!(ran.errors.contains("nothing was compared"), "{}", ran.errors);
+}
+
+fn simulate_writes_the_same_shapes_on_the_gpu() {
+    let place = Place::with_small("simulate_gpu");
+    let arrays = |on: &str| {
+        said(&place, &["simulate", "small.ron", "--steps", "8", "--on", on, "-o", on]);
+        let text = std::fs::read_to_string(place.0.join(on).join("manifest.json")).expect("there is a manifest");
+        let manifest: serde_json::Value = serde_json::from_str(&text).expect("valid JSON");
+        assert!(manifest["arrays"].as_array().is_some_and(|arrays| !arrays.is_empty()));
+        manifest["arrays"].clone()
+    };
+    assert_eq!(arrays("cpu"), arrays("gpu"));
+}

@@ -1,0 +1,116 @@
+//! Commands that only answer: show, scenes, scene-format, completions, help.
+
+mod support;
+use support::Place;
+
+/// Names of the scenes in the repository.
+fn in_the_repository() -> Vec<String> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let entries = std::fs::read_dir(folder).expect("the repository has scenes");
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.expect("readable").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "ron"))
+        .map(|path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    assert!(!names.is_empty());
+    names
+}
+
+#[test]
+fn scenes_lists_every_scene_of_the_repository() {
+    let text = Place::new("scenes").sward(&["scenes"]).done();
+    let mut names: Vec<&str> = text.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    names.sort_unstable();
+    assert_eq!(names, in_the_repository());
+    assert!(text.contains("Hello, meadow"));
+}
+
+#[test]
+fn a_printed_scene_can_be_used() {
+    let place = Place::new("printed");
+    place.write("mine.ron", place.sward(&["scenes", "lawn"]).done());
+    assert_eq!(place.sward(&["show", "mine.ron"]).done(), place.sward(&["show", "lawn"]).done());
+}
+
+#[test]
+fn show_works_for_every_shipped_scene() {
+    let place = Place::new("show");
+    for name in in_the_repository() {
+        let text = place.sward(&["show", &name]).done();
+        for word in ["Hz", "damping ratio", "substep", "plants", "bytes a patch", "MB at most", "wind", "body", "budget", "segment"] {
+            assert!(text.contains(word), "{name}: no `{word}` in\n{text}");
+        }
+    }
+    assert!(place.files().is_empty());
+}
+
+#[test]
+fn show_prints_the_numbers_of_the_paper() {
+    let text = Place::new("paper").sward(&["show", "paper"]).done();
+    // 88² patches of 120² cells; two time levels of four numbers of four bytes a cell.
+    for word in ["88 x 88 patches of 54.864 m", "about 111 513 600 plants", "0.457 m", "460 800 bytes a patch", "in 225 patches"] {
+        assert!(text.contains(word), "no `{word}` in\n{text}");
+    }
+}
+
+#[test]
+fn show_works_for_an_empty_scene() {
+    let place = Place::new("empty");
+    place.write("empty.ron", "(version: 1)");
+    let text = place.sward(&["show", "empty.ron"]).done();
+    for word in ["nothing grows", "calm air", "nothing pushes", "0.0 MB"] {
+        assert!(text.contains(word), "no `{word}` in\n{text}");
+    }
+}
+
+#[test]
+fn scene_format_is_the_reference_page() {
+    let text = Place::new("format").sward(&["scene-format"]).done();
+    assert_eq!(text.trim_end(), sward::scene::reference().trim_end());
+}
+
+#[test]
+fn completions_exist_for_every_shell() {
+    let place = Place::new("completions");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = place.sward(&["completions", shell]).done();
+        assert!(script.contains("simulate") && script.contains("sward"), "{shell}");
+    }
+}
+
+#[test]
+fn help_is_short_with_h_and_has_examples_with_help() {
+    let place = Place::new("help");
+    let (short, long) = (place.sward(&["-h"]).done(), place.sward(&["--help"]).done());
+    assert!(short.lines().count() < 30, "{short}");
+    assert!(long.contains("Examples:") && !short.contains("Examples:"));
+    for command in ["render", "simulate", "compare", "show", "scenes", "scene-format", "completions"] {
+        assert!(short.contains(command), "{command}");
+        let about = place.sward(&[command, "--help"]).done();
+        assert!(about.contains("Usage: sward"), "{command}");
+    }
+    assert!(place.sward(&["--version"]).done().starts_with("sward "));
+    for status in ["0 done", "1 failed", "2 wrong input"] {
+        assert!(short.contains(status), "{short}");
+    }
+}
+
+#[test]
+fn without_an_adapter_a_picture_fails_and_writes_nothing() {
+    let place = Place::with_small("no_adapter");
+    let nobody = [("SWARD_ADAPTER", "no adapter has this name")];
+    let commands: [&[&str]; 5] = [
+        &[],
+        &["render", "small.ron"],
+        &["render", "small.ron", "--frames", "0..2", "-o", "clip"],
+        &["compare", "small.ron"],
+        &["simulate", "small.ron", "--steps", "2", "--on", "gpu", "-o", "data"],
+    ];
+    for arguments in commands {
+        let ran = place.sward_with(arguments, &nobody);
+        assert_eq!((ran.status, ran.text.as_str()), (1, ""), "{arguments:?}: {}", ran.errors);
+        assert!(ran.errors.contains("adapter"), "{}", ran.errors);
+    }
+    assert_eq!(place.files(), ["small.ron"]);
+}

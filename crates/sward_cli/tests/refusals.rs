@@ -1,0 +1,132 @@
+//! Wrong input: status 2, what to type instead, and nothing written.
+
+mod support;
+use support::Place;
+
+const GOOD: &str = "(version: 1, stands: [(species: Meadow)])";
+
+#[test]
+fn fails_with_an_unknown_scene_and_names_the_nearest() {
+    let place = Place::new("unknown_scene");
+    for command in [&["show", "helo"][..], &["render", "helo"], &["compare", "helo"], &["simulate", "helo", "--steps", "1", "-o", "data"]] {
+        place.refuses(command, &["no scene called `helo`", "did you mean `hello`?", "lawn, reed"]);
+    }
+    place.refuses(&["scenes", "lwan"], &["did you mean `lawn`?"]);
+    place.refuses(&["show", "zzzzz"], &["shipped scenes: hello"]);
+}
+
+#[test]
+fn fails_with_a_path_that_is_no_scene() {
+    let place = Place::new("no_scene");
+    std::fs::create_dir(place.0.join("folder")).expect("writable");
+    place.write("binary.ron", [0xff, 0xfe, 0x00]);
+    place.refuses(&["show", "hello.ron"], &["hello.ron", "cannot be read", "hello"]);
+    place.refuses(&["show", "./nowhere/x.ron"], &["cannot be read", "check the path"]);
+    place.refuses(&["show", "folder"], &["is a folder"]);
+    place.refuses(&["show", "binary.ron"], &["UTF-8"]);
+    place.refuses(&["show", ""], &["no scene"]);
+}
+
+#[test]
+fn fails_with_a_mistake_in_a_scene_and_points_at_it() {
+    let place = Place::new("mistake");
+    place.write("dusk.ron", "(\n    version: 1,\n    light: (azimut: 1.0),\n)\n");
+    place.refuses(&["show", "dusk.ron"], &["dusk.ron:3:13", "no field `azimut`", "light: (azimut: 1.0),", "did you mean `azimuth`?"]);
+    place.refuses(&["render", "dusk.ron"], &["did you mean `azimuth`?"]);
+    place.refuses(&["simulate", "dusk.ron", "--steps", "5", "-o", "data"], &["did you mean `azimuth`?"]);
+    place.write("empty.ron", "");
+    place.refuses(&["show", "empty.ron"], &["empty.ron:1:1"]);
+}
+
+#[test]
+fn fails_with_a_missing_terrain_file() {
+    let place = Place::new("missing_terrain");
+    place.write("hills.ron", "(version: 1, terrain: Image(path: \"assets/moon.png\"))");
+    place.refuses(&["show", "hills.ron"], &["assets/moon.png"]);
+}
+
+#[test]
+fn finds_terrain_beside_the_scene_above_it_and_among_the_shipped() {
+    let place = Place::new("terrain");
+    let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets");
+    for file in ["jacksboro.png", "jacksboro.toml"] {
+        let bytes = std::fs::read(assets.join(file)).expect("shipped");
+        place.write(&format!("maps/{file}"), bytes);
+    }
+    let scene = |path: &str| format!("(version: 1, terrain: Image(path: \"{path}\"))");
+    place.write("beside.ron", scene("maps/jacksboro.png"));
+    place.write("scenes/above.ron", scene("maps/jacksboro.png"));
+    place.write("copied.ron", scene("assets/jacksboro.png"));
+    place.write("wrong.ron", scene("jacksboro.png"));
+    for path in ["beside.ron", "scenes/above.ron", "copied.ron"] {
+        assert!(place.sward(&["show", path]).done().contains("jacksboro.png"), "{path}");
+    }
+    place.refuses(&["show", "wrong.ron"], &["jacksboro.png"]);
+}
+
+#[test]
+fn fails_with_sizes_times_and_frames_out_of_range() {
+    let place = Place::new("numbers");
+    place.write("good.ron", GOOD);
+    let cases: [(&[&str], &str); 14] = [
+        (&["--size", "0x540"], "960x540"),
+        (&["--size", "960x0"], "960x540"),
+        (&["--size", "16385x16"], "16384"),
+        (&["--size", "big"], "960x540"),
+        (&["--time", "-1"], "0 to 1000000 seconds"),
+        (&["--time", "NaN"], "0 to 1000000 seconds"),
+        (&["--time", "inf"], "0 to 1000000 seconds"),
+        (&["--frames", "9..3"], "type 3..9"),
+        (&["--frames", "5..5"], "type 5..6"),
+        (&["--frames", "5"], "like 0..90"),
+        (&["--frames", "0..5", "--fps", "0"], "1..=1000"),
+        (&["--frames", "0..5", "--time", "1"], "cannot be used with"),
+        (&["--fps", "30"], "--frames"),
+        (&["--on", "moon"], "auto, cpu, gpu"),
+    ];
+    for (options, advice) in cases {
+        place.refuses(&[&["render", "good.ron"], options].concat(), &[advice]);
+    }
+}
+
+#[test]
+fn fails_with_wrong_steps() {
+    let place = Place::with_small("steps");
+    let simulate = |options: &[&'static str]| [&["simulate", "small.ron", "-o", "data"], options].concat();
+    place.refuses(&simulate(&[]), &["--steps"]);
+    place.refuses(&simulate(&["--steps", "0"]), &["1..="]);
+    place.refuses(&simulate(&["--steps", "-5"]), &["-5"]);
+    place.refuses(&simulate(&["--steps", "5", "--every", "0"]), &["1..="]);
+    place.refuses(&simulate(&["--steps", "5", "--every", "6"]), &["type --every 5"]);
+    place.refuses(&["simulate", "small.ron", "--steps", "5"], &["--output"]);
+    place.refuses(&["compare", "small.ron", "--steps", "0"], &["1..="]);
+}
+
+#[test]
+fn fails_with_a_place_that_cannot_be_written_to() {
+    let place = Place::with_small("places");
+    std::fs::create_dir(place.0.join("folder")).expect("writable");
+    place.write("file", "x");
+    let cases: [(&[&str], &[&str]); 9] = [
+        (&["render", "small.ron", "-o", "folder"], &["is a folder", "folder/small.png"]),
+        (&["render", "small.ron", "-o", "new/"], &["is a folder", "small.png"]),
+        (&["render", "small.ron", "-o", "missing/a.png"], &["the folder missing does not exist", "mkdir -p missing"]),
+        (&["render", "small.ron", "-o", "a.jpg"], &["PNG", "-o a.png"]),
+        (&["render", "small.ron", "-o", "a"], &["PNG", "-o a.png"]),
+        (&["render", "small.ron", "-o", "a.png", "--frames", "0..2"], &["is a file", "-o a/"]),
+        (&["render", "small.ron", "-o", "missing/clip/", "--frames", "0..2"], &["mkdir -p missing"]),
+        (&["simulate", "small.ron", "--steps", "2", "-o", "missing/data"], &["mkdir -p missing"]),
+        (&["simulate", "small.ron", "--steps", "2", "-o", "file"], &["is a file", "-o file_files/"]),
+    ];
+    for (arguments, words) in cases {
+        place.refuses(arguments, words);
+    }
+}
+
+#[test]
+fn fails_with_an_unknown_command() {
+    let place = Place::new("unknown_command");
+    place.refuses(&["rendr", "hello"], &["render"]);
+    place.refuses(&["completions", "cmd.exe"], &["bash"]);
+    place.refuses(&["show"], &["<SCENE>"]);
+}
