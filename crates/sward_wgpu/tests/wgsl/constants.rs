@@ -1,0 +1,143 @@
+//! A constant that stands in both languages has one value.
+
+use std::path::Path;
+
+use sward::{geometry::billboard, response::continuum, state};
+use sward_wgpu::render::shadow;
+
+use crate::libraries::{core_sources, wgsl_files};
+
+/// Where a constant of a `.wgsl` file comes from.
+enum Origin {
+    /// Public in Rust.
+    Value(f64),
+    /// Private in Rust: file in the core's or this crate's sources, and name.
+    Source(&'static str, &'static str),
+    /// Stands in WGSL only.
+    Alone,
+}
+use Origin::{Alone, Source, Value};
+
+const PLACEMENT: &str = "placement.rs";
+const BEND: &str = "response/continuum/bend.rs";
+
+/// Every constant of every `.wgsl` file.
+fn constants() -> Vec<(&'static str, Origin)> {
+    vec![
+        ("SHADING_PERIOD", Source("render/frame.rs", "PATTERN_PERIOD")),
+        ("SHADING_SUN", Alone),
+        ("SHADING_RAYLEIGH", Alone),
+        ("SHADING_STRAW", Alone),
+        ("PLANTS_MEAN_LIT", Alone),
+        ("CONTACT_BAND", Source("interaction/contact.rs", "BAND")),
+        ("PLACEMENT_PRESENT", Source(PLACEMENT, "PRESENT")),
+        ("PLACEMENT_PLACE_X", Source(PLACEMENT, "PLACE_X")),
+        ("PLACEMENT_PLACE_Z", Source(PLACEMENT, "PLACE_Z")),
+        ("PLACEMENT_HEIGHT", Source(PLACEMENT, "HEIGHT")),
+        ("PLACEMENT_YAW", Source(PLACEMENT, "YAW")),
+        ("PLACEMENT_TINT", Source(PLACEMENT, "TINT")),
+        ("PLACEMENT_CLUMP", Source(PLACEMENT, "CLUMP")),
+        ("CONTINUUM_HALF_PI", Value(f64::from(continuum::HALF_PI))),
+        ("CONTINUUM_RATE_LIMIT", Value(f64::from(continuum::RATE_LIMIT))),
+        ("CONTINUUM_OVER_THE_TOP", Source(BEND, "OVER_THE_TOP")),
+        ("CONTINUUM_HOLDING", Source(BEND, "HOLDING")),
+        ("BILLBOARD_CLEARANCE", Value(f64::from(billboard::CLEARANCE))),
+        ("NONE", Value(f64::from(state::NONE))),
+    ]
+}
+
+/// Numbers that stand in a WGSL file without a name: file, text around it, and the number in Rust.
+fn written_out() -> Vec<(&'static str, &'static str, f64)> {
+    vec![
+        ("bend.wgsl", "math_atan(along), ", f64::from(continuum::SMALLEST_LIMIT)),
+        ("shadows.wgsl", "texel = spread / ", f64::from(shadow::SIDE)),
+        ("noise.wgsl", "octaves: array<WindOctave, ", sward::wind::MAX_OCTAVES as f64),
+        ("noise.wgsl", "(texel + 1u) & vec2<u32>(", f64::from(sward::wind::TILE_SIDE as u32 - 1)),
+        ("noise.wgsl", "wind_tile_load(texel.y * ", f64::from(sward::wind::TILE_SIDE as u32)),
+    ]
+}
+
+/// A number as either language writes it, as f32 would hold it.
+fn number(text: &str) -> Option<f64> {
+    let text = text.trim().replace('_', "");
+    if let Some(hex) = text.strip_prefix("0x") {
+        return u32::from_str_radix(hex.trim_end_matches('u'), 16).ok().map(f64::from);
+    }
+    let text = text.trim_end_matches("f32").trim_end_matches(['u', 'f', 'i']);
+    text.parse::<f64>().ok().map(|value| if value.fract() == 0.0 { value } else { f64::from(value as f32) })
+}
+
+/// `const NAME: type = value;` in a text of either language.
+fn declared<'a>(text: &'a str, name: &str) -> Option<&'a str> {
+    let declarations = text.lines().filter_map(|line| line.split_once("const ").map(|(_, rest)| rest));
+    declarations.filter_map(|rest| rest.split_once(':')).find(|(found, _)| *found == name)?.1.split_once('=')?.1.split(';').next()
+}
+
+fn own_sources() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src"))
+}
+
+fn rust_source(file: &str) -> String {
+    let read = |folder: &Path| std::fs::read_to_string(folder.join(file));
+    read(core_sources()).or_else(|_| read(own_sources())).unwrap_or_else(|error| panic!("{file}: {error}"))
+}
+
+fn all_wgsl() -> Vec<(String, String)> {
+    let mut files = Vec::new();
+    wgsl_files(core_sources(), &mut files);
+    wgsl_files(own_sources(), &mut files);
+    files
+}
+
+fn expected(origin: &Origin) -> Option<f64> {
+    match origin {
+        Value(value) => Some(*value),
+        Source(file, name) => Some(declared(&rust_source(file), name).and_then(number).unwrap_or_else(|| panic!("no {name} in {file}"))),
+        Alone => None,
+    }
+}
+
+#[test]
+fn constants_have_one_value() {
+    let files = all_wgsl();
+    for (name, origin) in constants() {
+        let Some(wanted) = expected(&origin) else { continue };
+        let found: Vec<f64> = files.iter().filter_map(|(_, text)| declared(text, name)).filter_map(number).collect();
+        assert!(!found.is_empty(), "{name} stands in no .wgsl file: remove it from constants()");
+        assert!(found.iter().all(|value| *value == wanted), "{name} is {found:?} in WGSL and {wanted} in Rust");
+    }
+}
+
+#[test]
+fn no_constant_is_forgotten() {
+    let known: Vec<&str> = constants().into_iter().map(|(name, _)| name).collect();
+    for (path, text) in all_wgsl() {
+        for line in text.lines().filter_map(|line| line.strip_prefix("const ")) {
+            let name = line.split([':', ' ', '=']).next().unwrap_or_default();
+            assert!(known.contains(&name), "{path}: add {name} to constants(), with its Rust twin");
+        }
+    }
+}
+
+#[test]
+fn numbers_without_a_name_have_one_value() {
+    let files = all_wgsl();
+    for (file, before, wanted) in written_out() {
+        let (_, text) = files.iter().find(|(path, _)| path.ends_with(file)).unwrap_or_else(|| panic!("no {file}"));
+        let numbers: Vec<_> =
+            text.split(before).skip(1).map(|rest| number(rest.split([',', ')', ';', '>', ' ']).next().unwrap_or(""))).collect();
+        assert!(!numbers.is_empty(), "{file} says no longer \"{before}\"");
+        assert!(numbers.iter().all(|value| *value == Some(wanted)), "{file}: \"{before}\" is followed by {numbers:?}, Rust says {wanted}");
+    }
+}
+
+/// The comparison must be able to fail.
+#[test]
+fn a_changed_constant_is_noticed() {
+    let text = "const A: f32 = 0.4;\n    pub(super) const B: u32 = 7;";
+    assert_eq!(declared(text, "A").and_then(number), Some(f64::from(0.4_f32)));
+    assert_eq!(declared(text, "B").and_then(number), Some(7.0));
+    assert_ne!(declared(text, "A").and_then(number), number("0.41"));
+    assert_eq!(declared(text, "C"), None);
+    assert_eq!(number("0xffffffffu"), Some(f64::from(u32::MAX)));
+}

@@ -1,0 +1,137 @@
+//! Structs that Rust writes and WGSL reads have the same size and the same members at the same places.
+
+use std::mem::offset_of;
+
+use sward::interaction::{Contact, ContactEdge};
+use sward::placement::PlacementParameters;
+use sward::response::continuum::{Coefficients, LagCoefficients};
+use sward::terrain::{TerrainAnchor, TerrainGrid};
+use sward::wind::{Octave, WindBlock};
+use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
+use sward_wgpu::render::frame::FrameUniform;
+use sward_wgpu::render::plants::Plant;
+
+use crate::texts::{parse, text_of};
+
+/// Size, and members with their offsets, in bytes.
+#[derive(Clone, Debug, PartialEq)]
+struct Layout {
+    size: usize,
+    members: Vec<(String, usize)>,
+}
+
+/// The layout of a Rust struct; `field as name` where WGSL calls it otherwise.
+macro_rules! layout {
+    ($kind:ty { $($field:ident $(as $name:literal)?),* $(,)? }) => {
+        Layout {
+            size: size_of::<$kind>(),
+            members: vec![$(([$($name,)? stringify!($field)][0].to_owned(), offset_of!($kind, $field))),*],
+        }
+    };
+}
+
+/// The layout naga gives a struct of a text.
+fn in_wgsl(text: &str, name: &str) -> Layout {
+    let module = parse(text).unwrap_or_else(|error| panic!("{error}"));
+    let found = module.types.iter().find(|(_, kind)| kind.name.as_deref() == Some(name)).map(|(_, kind)| &kind.inner);
+    let Some(naga::TypeInner::Struct { members, span }) = found else { panic!("no struct {name}") };
+    let member = |member: &naga::StructMember| (member.name.clone().unwrap_or_default(), member.offset as usize);
+    Layout { size: *span as usize, members: members.iter().map(member).collect() }
+}
+
+/// Padding may be one array there and several numbers here.
+fn without_padding(layout: Layout) -> Layout {
+    let is_data = |name: &str| !name.starts_with("unused") && !name.starts_with("reserved");
+    Layout { members: layout.members.into_iter().filter(|(name, _)| is_data(name)).collect(), ..layout }
+}
+
+/// Name in WGSL, a text that holds it, and the layout in Rust.
+fn shared() -> Vec<(&'static str, String, Layout)> {
+    let step = || text_of("step");
+    let with_math = |text: &str| format!("{}\n{text}", sward::math::WGSL);
+    let placement = with_math(sward::placement::WGSL);
+    let terrain = with_math(&format!("fn terrain_load(index: i32) -> f32 {{ return 0.0; }}\n{}", sward::terrain::WGSL));
+    let edge = layout!(ContactEdge { start, along, normal, metres, unused });
+    let contact = layout!(Contact {
+        size,
+        edge_first,
+        edge_count,
+        shift,
+        kind,
+        velocity,
+        centre,
+        yaw_rate,
+        spacing,
+        start,
+        end,
+        form,
+        rise,
+        body,
+        highest,
+        unused
+    });
+    let coefficients = layout!(Coefficients {
+        base_speed,
+        speed_gain,
+        speed_cap,
+        spread,
+        rate_spread,
+        damping,
+        rate_damping,
+        restoring,
+        rate_restoring,
+        step,
+        plant_height,
+        turn,
+        turn_cosine,
+        turn_sine,
+        approach,
+        unused
+    });
+    let lag = layout!(LagCoefficients { segments, kind, gain_top, gain_recover, gamma_top, gamma_recover, ring, rate });
+    let octave = layout!(Octave { step_x, step_z, phase, per_metre_x, per_metre_z, amplitude, reserved });
+    let stand =
+        layout!(StandUniform { coefficients, lag, cells, nodes, gusty, level, rest, wind_response, height, frame, spacing, unused });
+    let patch = layout!(AwakePatch {
+        slot, lag, held, flags, neighbours, patch as "patch_index", pair_first, pair_count, keep, unused
+    });
+    let parameters = layout!(PlacementParameters { seed, cells, spacing, cover, height, clumping, clumps });
+    vec![
+        ("ContactEdge", step(), edge),
+        ("Contact", step(), contact),
+        ("ContinuumCoefficients", step(), coefficients),
+        ("LagCoefficients", step(), lag),
+        ("WindOctave", step(), octave),
+        ("WindBlock", step(), layout!(WindBlock { mean, count, intervals, octaves })),
+        ("Stand", step(), stand),
+        ("AwakePatch", step(), patch),
+        ("PlacementParameters", placement, parameters),
+        ("TerrainGrid", terrain.clone(), layout!(TerrainGrid { size, inverse_spacing })),
+        ("TerrainAnchor", terrain, layout!(TerrainAnchor { index, fraction })),
+        ("Plant", text_of("plants"), layout!(Plant { root, height, yaw, width, tint, layer })),
+    ]
+}
+
+#[test]
+fn struct_layouts_agree() {
+    for (name, text, ours) in shared() {
+        assert_eq!(without_padding(in_wgsl(&text, name)), without_padding(ours), "{name}");
+    }
+}
+
+/// Members of the frame are private; its size is not.
+#[test]
+fn the_frame_has_the_size_its_shaders_expect() {
+    assert_eq!(in_wgsl(&text_of("sky"), "Frame").size, size_of::<FrameUniform>());
+}
+
+/// A shifted member, a missing one and a wrong size must be noticed.
+#[test]
+fn a_wrong_layout_is_noticed() {
+    let right = layout!(Plant { root, height, yaw, width, tint, layer });
+    let theirs = in_wgsl(&text_of("plants"), "Plant");
+    assert_eq!(theirs, right);
+    assert_ne!(theirs, layout!(Plant { height, root, yaw, width, tint, layer }));
+    assert_ne!(theirs, layout!(Plant { root, height, yaw, width, tint }));
+    assert_ne!(theirs, Layout { size: right.size + 4, ..right });
+}

@@ -1,0 +1,73 @@
+//! Each library text of the core is valid by itself, joined only with what it says it needs.
+
+use std::path::Path;
+
+use sward::response::continuum;
+use sward::{geometry::billboard, interaction, math, placement, shading, terrain, wind};
+
+use crate::texts::validate;
+
+const TERRAIN_STUB: &str = "fn terrain_load(index: i32) -> f32 { return f32(index); }";
+const WIND_STUB: &str = "fn wind_tile_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
+const CONTACT_STUB: &str = "fn contact_edge(index: u32) -> ContactEdge { var edge: ContactEdge; return edge; }";
+const REST_STUB: &str = "fn rest_node(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
+
+/// Name, and the parts that make it complete: what it needs, the host's functions, itself.
+fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
+    let mut continuum = vec![math::WGSL, interaction::WGSL, CONTACT_STUB, REST_STUB];
+    continuum.extend(continuum::WGSL);
+    vec![
+        ("math", vec![math::WGSL]),
+        ("placement", vec![math::WGSL, placement::WGSL]),
+        ("terrain", vec![math::WGSL, TERRAIN_STUB, terrain::WGSL]),
+        ("wind", vec![math::WGSL, WIND_STUB, wind::WGSL]),
+        ("contact", vec![math::WGSL, CONTACT_STUB, interaction::WGSL]),
+        ("continuum", continuum),
+        ("billboard", vec![math::WGSL, billboard::WGSL]),
+        ("shading/common", vec![shading::COMMON_WGSL]),
+        ("shading", shading::WGSL.to_vec()),
+    ]
+}
+
+#[test]
+fn each_library_is_valid_with_its_stubs() {
+    for (name, parts) in libraries() {
+        validate(&parts.join("\n")).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
+
+/// A library that forgot one of its needs must be noticed.
+#[test]
+fn a_library_without_its_needs_is_refused() {
+    for (name, text) in [("placement", placement::WGSL), ("terrain", terrain::WGSL), ("wind", wind::WGSL), ("contact", interaction::WGSL)] {
+        assert!(validate(text).is_err(), "{name} is valid without what it needs");
+    }
+}
+
+/// All `.wgsl` files below a folder.
+pub(crate) fn wgsl_files(folder: &Path, found: &mut Vec<(String, String)>) {
+    for entry in std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())).flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            wgsl_files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "wgsl") {
+            let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            found.push((path.display().to_string(), text));
+        }
+    }
+}
+
+pub(crate) fn core_sources() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../sward/src"))
+}
+
+#[test]
+fn no_library_file_is_forgotten() {
+    let mut files = Vec::new();
+    wgsl_files(core_sources(), &mut files);
+    assert!(files.len() > 5, "found only {} files", files.len());
+    let known = libraries();
+    for (path, text) in files {
+        assert!(known.iter().any(|(_, parts)| parts.iter().any(|part| part.contains(&text))), "{path} is in no entry of libraries()");
+    }
+}

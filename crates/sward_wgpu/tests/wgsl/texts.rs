@@ -1,0 +1,27 @@
+//! All shaders, as the passes hand them to the device.
+
+use sward_wgpu::{compute, render};
+
+/// Every assembled shader with its name. A new host of WGSL (a `prepare` pass, say) adds its text here.
+pub(crate) fn assembled() -> Vec<(&'static str, String)> {
+    let mut texts = render::assembled();
+    texts.push(("step", compute::passes::assembled()));
+    texts
+}
+
+/// The text of one shader.
+pub(crate) fn text_of(name: &str) -> String {
+    assembled().into_iter().find(|(label, _)| *label == name).unwrap_or_else(|| panic!("no shader called {name}")).1
+}
+
+pub(crate) fn parse(text: &str) -> Result<naga::Module, String> {
+    naga::front::wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))
+}
+
+/// Checks a text as WebGPU does without optional features.
+pub(crate) fn validate(text: &str) -> Result<naga::valid::ModuleInfo, String> {
+    let module = parse(text)?;
+    naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
+        .validate(&module)
+        .map_err(|error| error.emit_to_string(text))
+}
