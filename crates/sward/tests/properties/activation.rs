@@ -46,7 +46,7 @@ fn patches_sleep_after_a_second_of_rest_and_then_cost_nothing() {
     while world.state.step < 60 || !awake(&world).is_empty() {
         world.step();
         let stand = &world.state.stands[0];
-        let loud = stand.summaries.back().is_some_and(|all| all.iter().any(|(_, summary)| summary.largest.sqrt() > 1e-3));
+        let loud = stand.summaries.back().is_some_and(|all| all.1.iter().any(|(_, summary)| summary.largest.sqrt() > 1e-3));
         last_motion = if loud { world.state.step } else { last_motion };
         assert!(world.time() < 20.0);
     }
@@ -74,6 +74,7 @@ impl Bench {
     fn activate(&mut self, touched: &[PatchKey]) {
         self.touched = touched.iter().copied().collect();
         let by = Circumstances {
+            step: 0,
             touched: &self.touched,
             focuses: &[[4.0, 4.0]],
             in_view: &|_| self.in_view,
@@ -82,6 +83,7 @@ impl Bench {
             focus_distance: 0.0,
             lag_distance: 0.0,
             gusty: false,
+            tiled: false,
             tolerance: 1e-3,
             rate: 60.0,
         };

@@ -33,7 +33,8 @@ impl Sheet {
     /// The plan of a step; `joined` = neighbours see each other.
     fn plan(&self, step: u64, footprints: &[Footprint], joined: bool) -> StandPlan {
         let wind = WindField::at(&self.model.sources, step, self.model.dt, self.stand.spacing * f64::from(continuum::NODE_CELLS));
-        let mut plan = StandPlan { wind, patches: Vec::new(), contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new() };
+        let mut plan =
+            StandPlan { tile_wind: wind.clone(), wind, patches: Vec::new(), contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new() };
         for footprint in footprints {
             plan.contacts.push(Contact { edge_first: plan.edges.len() as u32, ..footprint.contact });
             plan.edges.extend(&footprint.edges);
@@ -135,7 +136,7 @@ fn random_states_step_alike_in_one_grid_and_in_patches() {
             };
             sheet.cells.now.push(level(0).collect());
             sheet.cells.old.push(level(1 << 20).collect());
-            sheet.cells.slopes.push(Default::default());
+            sheet.cells.ground.push(Default::default());
         }
         continuum::step(&sheet.model.terrain, &sheet.stand, &plan, &mut sheet.cells, Lanes::default());
         let mut square = vec![0.0_f32; 4 * whole * whole];
