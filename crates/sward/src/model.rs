@@ -113,14 +113,14 @@ fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, Sc
     Ok(stands)
 }
 
-/// 1e-3 in still or steady air. In gusts, plants trail β_eq by their inertia for ever: a quarter of the gusts' own swing is rest there,
-/// and the patch fades into β_eq.
+/// 1e-3 in still or steady air. In gusts, plants trail β_eq by their inertia for ever, the slow ones by nearly the whole swing:
+/// the swing of a 2σ gust is rest there, and the patch fades into β_eq.
 fn tolerance(species: &SpeciesModel, sources: &[Source]) -> f32 {
     let wind = crate::wind::WindField::at(sources, 0, 1.0, 1.0);
     let gust = wind.gust_speed();
     let swing = |speed: f32| crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0];
     let mean = (wind.mean[0] * wind.mean[0] + wind.mean[1] * wind.mean[1]).sqrt();
-    crate::response::continuum::REST + 0.25 * (swing(mean + gust) - swing(mean))
+    crate::response::continuum::REST + (swing(mean + gust) - swing(mean))
 }
 
 fn load_terrain(terrain: &SceneTerrain, assets: &dyn Assets) -> Result<Terrain, SceneError> {

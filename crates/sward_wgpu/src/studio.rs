@@ -193,7 +193,9 @@ fn look_of(species: &Species, stand: &sward::response::StandModel) -> Look {
         Species::Tussock => Kind::Tussock,
     };
     let billboard = &stand.species.billboard;
-    Look { root: billboard.colour_root, tip: billboard.colour_tip, dryness: billboard.dryness, ..Look::of(kind) }
+    // Short plants are lost in the turf sooner.
+    let gone = (275.0 * stand.species.height[1]).clamp(35.0, 110.0);
+    Look { fade: [0.6 * gone, gone], root: billboard.colour_root, tip: billboard.colour_tip, dryness: billboard.dryness, ..Look::of(kind) }
 }
 
 fn part_mesh(part: &Part) -> Option<Mesh> {

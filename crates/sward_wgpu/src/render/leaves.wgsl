@@ -57,22 +57,25 @@ fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
     var texel = textureSampleLevel(clumps, clump_sampler, leaf.card.xy, leaf.layer, plants_level(leaf.card.xy));
     texel.a *= mix(0.35, 1.0, on_edge);
     // A rim one pixel wide, whatever the mip level: alpha becomes coverage of the four samples.
-    let alpha = clamp((texel.a - 0.5) / max(fwidth(texel.a), 0.02) + 0.5, 0.0, 1.0);
+    let fading = 1.0 - smoothstep(0.65 * style.mean.w, 0.95 * style.mean.w, length(to_eye));
+    let alpha = fading * clamp((texel.a - 0.5) / max(fwidth(texel.a), 0.02) + 0.5, 0.0, 1.0);
     if alpha < 0.1 {
         discard;
     }
+    // Far off only the tops of plants are seen, whatever part of a card covers the pixel: they melt into the canopy's colour.
+    let far = smoothstep(0.25 * style.mean.w, 0.7 * style.mean.w, length(to_eye));
     let along = leaf.card.z;
     let heading = (texel.b - 0.5) * 2.6;
     var normal = normalize(leaf.facing * cos(heading) + leaf.across * sin(heading) + vec3<f32>(0.0, 0.18, 0.0));
     normal = normal * select(-1.0, 1.0, dot(normal, view) > 0.0);
     let tint = leaf.patchwork.w;
     let dry = texel.g + style.root.w + 0.55 * leaf.patchwork.y + 0.3 * max(tint - 0.75, 0.0);
-    let albedo = shading_leaf(style.root.rgb, style.tip.rgb, along, dry, leaf.patchwork.xyz, texel.r * (0.86 + 0.28 * tint));
+    let albedo = shading_leaf(style.root.rgb, style.tip.rgb, mix(along, 0.6, far), dry, leaf.patchwork.xyz, texel.r * (0.86 + 0.28 * tint));
     // Neighbours hide the sky and, with a low sun, the sun from all but the tips.
     let lying = leaf.card.w;
-    let open = mix(mix(style.mean.x, 1.0, along * sqrt(along)), 0.9, lying);
+    let open = mix(mix(mix(style.mean.x, 1.0, along * sqrt(along)), 0.9, lying), 0.7, far);
     let reach = 1.0 - along;
-    let through_canopy = mix(exp(-style.mean.y * reach * reach / (0.25 + frame.sun.y)), 0.9, lying);
+    let through_canopy = mix(mix(exp(-style.mean.y * reach * reach / (0.25 + frame.sun.y)), 0.9, lying), 0.6, far);
     let lit = shadows_lit(shadows_place(leaf.place, 0.10), 2.2, PLANTS_MEAN_LIT) * through_canopy;
     let colour = shading_grass(albedo, normal, view, frame_light(), lit, open, style.tip.w);
     return vec4<f32>(leaf.air.rgb + colour * leaf.air.a, alpha);

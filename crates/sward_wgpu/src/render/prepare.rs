@@ -16,8 +16,10 @@ use super::plants::{Look, PLANTS_PER_INSTANCE};
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::Gpu;
 
-/// Every plant is drawn up to this distance, m; then fewer and wider ones.
-const FULL: f32 = 26.0;
+/// Every plant is drawn up to this many cells away; then fewer and wider ones.
+const FULL_CELLS: f32 = 104.0;
+/// How fast they grow fewer with distance.
+const THINNING: f32 = 1.25;
 
 /// `Prepare` of `prepare.wgsl`.
 #[repr(C)]
@@ -93,7 +95,7 @@ struct Sighted {
 
 /// The full text of the compute shader.
 pub fn assembled() -> String {
-    let variants = format!("const CLUMP_VARIANTS: u32 = {VARIANTS}u;");
+    let variants = format!("const CLUMP_VARIANTS: u32 = {VARIANTS}u;\nconst PREPARE_THINNING: f32 = {THINNING:?};");
     [
         sward::math::WGSL,
         sward::wind::WGSL,
@@ -131,8 +133,8 @@ fn sighted(world: &World, view: &View, gone: f64) -> Vec<Sighted> {
 }
 
 /// Share of plants drawn at a distance, m: the CPU side of `thin` in `prepare.wgsl`.
-fn thin(distance: f64, fullness: f64) -> f64 {
-    (f64::from(FULL) / distance.max(1e-3)).powf(1.4).min(1.0) * fullness
+fn thin(distance: f64, fullness: f64, spacing: f64) -> f64 {
+    (f64::from(FULL_CELLS) * spacing / distance.max(1e-3)).powf(f64::from(THINNING)).min(1.0) * fullness
 }
 
 fn bits(cells: u32) -> u32 {
@@ -140,9 +142,9 @@ fn bits(cells: u32) -> u32 {
 }
 
 /// Places a patch needs, a whole number of instances.
-fn places(distance: f64, fullness: f64, cells: u32) -> u32 {
-    let all = 1_u32 << (2 * bits(cells));
-    ((thin(distance, fullness) * f64::from(all)).ceil() as u32).min(all).next_multiple_of(PLANTS_PER_INSTANCE)
+fn places(distance: f64, fullness: f64, stand: &StandModel) -> u32 {
+    let all = 1_u32 << (2 * bits(stand.cells));
+    ((thin(distance, fullness, stand.spacing) * f64::from(all)).ceil() as u32).min(all).next_multiple_of(PLANTS_PER_INSTANCE)
 }
 
 /// Weights at the corners: a patch that only the wind keeps awake gives way to β_eq towards sleeping neighbours.
@@ -164,7 +166,7 @@ fn weights(state: &StandState, patch: PatchKey) -> [f32; 4] {
 pub fn plan(world: &World, index: usize, view: &View, look: &Look, share: u32, origin: PatchKey) -> ([BatchPlan; 2], f64) {
     let (stand, state) = (&world.model.stands[index], &world.state.stands[index]);
     let list = sighted(world, view, f64::from(look.fade[1]));
-    let wanted = |fullness: f64| list.iter().map(|patch| u64::from(places(patch.distance, fullness, stand.cells))).sum::<u64>();
+    let wanted = |fullness: f64| list.iter().map(|patch| u64::from(places(patch.distance, fullness, stand))).sum::<u64>();
     let mut fullness = 1.0;
     while wanted(fullness) > u64::from(share) && fullness > 1e-3 {
         fullness *= 0.9;
@@ -174,7 +176,7 @@ pub fn plan(world: &World, index: usize, view: &View, look: &Look, share: u32, o
     for patch in &list {
         let far = usize::from(patch.distance > plain || stand.species.billboard.segments == 1);
         let batch = &mut batches[far];
-        let count = places(patch.distance, fullness, stand.cells);
+        let count = places(patch.distance, fullness, stand);
         if u64::from(batch.plants) + u64::from(count) > u64::from(share) {
             break;
         }
@@ -309,7 +311,7 @@ impl PreparePass {
             bits: bits(stand.cells),
             layer: first_layer(look.kind),
             plain: if plain { 0.0 } else { billboard.plain_distance },
-            full: FULL,
+            full: FULL_CELLS * stand.spacing as f32,
             gone: look.fade[1],
             width: billboard.width,
             wind_response: stand.species.continuum.wind,

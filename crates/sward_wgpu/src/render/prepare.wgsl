@@ -146,7 +146,7 @@ fn prepare_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     let root = vec3<f32>(draw.offset.x + placed.root.x, ground, draw.offset.y + placed.root.y);
     let away = distance(root, prepare.camera.xyz);
     // Farther off fewer plants stand for more: each grows wider, and the last ones shrink before they go.
-    let thin = min(1.0, pow(prepare.full / max(away, 1e-3), 1.4)) * prepare.fullness;
+    let thin = min(1.0, pow(prepare.full / max(away, 1e-3), PREPARE_THINNING)) * prepare.fullness;
     let rank = (f32(id.x) + 0.5) / f32(1u << (2u * prepare.bits));
     let stay = clamp((thin - rank) / (0.12 * thin), 0.0, 1.0);
     if stay <= 0.0 || away >= prepare.gone {
