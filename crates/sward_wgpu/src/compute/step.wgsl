@@ -241,7 +241,10 @@ fn wave_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invoca
         next = continuum_faded(next, rest, entry.keep);
     }
     store_old(index, next);
-    summarise(id.z, id.xy, continuum_deviation(next, rest), clamped, local == 0u);
+    // Activation goes by the end of the step, as on the CPU: substeps on the way there do not count.
+    if last_substep {
+        summarise(id.z, id.xy, continuum_deviation(next, rest), clamped, local == 0u);
+    }
 }
 
 fn store_upper(plane: u32, bend: vec2<f32>) {

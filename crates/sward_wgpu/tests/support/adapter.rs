@@ -1,0 +1,36 @@
+//! Runs tests that need a graphics adapter: without one they are ignored, not passed; with `CI` set they fail.
+
+use std::sync::Arc;
+
+use libtest_mimic::{Arguments, Failed, Trial};
+use sward_wgpu::gpu::Gpu;
+
+/// What a test answers.
+pub(crate) type Verdict = Result<(), Failed>;
+/// A named test on the adapter.
+pub(crate) type Test = (&'static str, fn(&Gpu) -> Verdict);
+
+/// Runs the tests on one device; those that `skip` names on this adapter are ignored.
+pub(crate) fn run(tests: &[Test], skip: fn(&Gpu, &str) -> bool) -> std::process::ExitCode {
+    let arguments = Arguments::from_args();
+    let gpu = Arc::new(Gpu::new().map_err(|error| error.to_string()));
+    let demanded = std::env::var_os("CI").is_some();
+    let trials = tests.iter().map(|(name, test)| {
+        let ignored = match &*gpu {
+            Ok(gpu) => skip(gpu, name),
+            Err(_) => !demanded,
+        };
+        let (gpu, test) = (Arc::clone(&gpu), *test);
+        let body = move || match &*gpu {
+            Ok(gpu) => test(gpu).and_then(|()| Ok(gpu.check()?)),
+            Err(error) => Err(error.as_str().into()),
+        };
+        Trial::test(*name, body).with_ignored_flag(ignored)
+    });
+    libtest_mimic::run(&arguments, trials.collect()).exit_code()
+}
+
+/// Fails with a message unless `holds`.
+pub(crate) fn ensure(holds: bool, message: impl FnOnce() -> String) -> Verdict {
+    if holds { Ok(()) } else { Err(message().into()) }
+}

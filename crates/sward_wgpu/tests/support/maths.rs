@@ -1,0 +1,248 @@
+//! Twins of the maths, hashes, wind, terrain, placement, spines and contact.
+
+use libtest_mimic::Failed;
+use sward::geometry::billboard;
+use sward::interaction::{self, contact_at};
+use sward::math;
+use sward::model::NoAssets;
+use sward::placement::{self, PlacementParameters};
+use sward::plan::StandPlan;
+use sward::scene::Scene;
+use sward::terrain::{self, Terrain, TerrainGrid};
+use sward::wind::{self, Source, Tile, WindField};
+use sward::world::World;
+use sward_wgpu::compare::Tolerance;
+use sward_wgpu::gpu::Gpu;
+
+use crate::adapter::Verdict;
+use crate::kernels::{By, Random, Twin, bits};
+
+/// Every number within a few roundings: a GPU may fuse a product and a sum, and divides to 2.5 units in the last place.
+pub(crate) const ROUNDING: Tolerance = Tolerance { p999: 1e-6, rms: 2e-7, outlier: 3e-6, share: 0.0 };
+
+/// e^x, sin, cos, tan, atan, atan2 and the cube root, relative to the result: WGSL text and Rust text are the same polynomial.
+pub(crate) fn small_maths(gpu: &Gpu) -> Verdict {
+    let library = &[math::WGSL];
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let (power, angle, slope, cube) =
+            (random.float(-80.0, 80.0), random.float(-1.57, 1.57), random.float(-9.0, 9.0), random.float(-1e4, 1e4));
+        let (y, x) = (random.float(-1.0, 1.0), random.float(-1.0, 1.0));
+        input.extend(random.words);
+        let (sine, cosine) = math::sin_cos(angle);
+        bits([math::exp(power), sine, cosine, math::tan(angle), math::atan(slope), math::cbrt(cube), math::atan2(y, x)])
+    };
+    let host = "fn twin() {
+        put_f(math_exp(next_f()));
+        let angle = next_f();
+        put_v(math_sin_cos(angle));
+        put_f(math_tan(angle));
+        put_f(math_atan(next_f()));
+        put_f(math_cbrt(next_f()));
+        let y = next_f();
+        put_f(math_atan2(y, next_f()));
+    }";
+    // Where a fold turns on the last bit, both branches are right but rounded apart; cos near π/2 keeps the digits of π/2 − x.
+    let tolerance = Tolerance { p999: 5e-7, rms: 1e-7, outlier: 2e-6, share: 1e-5 };
+    Twin { name: "maths", library, host, tables: &[], rust }.check(gpu, By::Relative(tolerance, 1e-3))
+}
+
+/// Hashes are whole numbers, and `unit` is exact.
+pub(crate) fn hashes(gpu: &Gpu) -> Verdict {
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let [seed, x, z, cell, purpose] = [0; 5].map(|_: u32| random.any());
+        input.extend(random.words);
+        let hash = math::hash(seed, x as i32, z as i32, cell, purpose);
+        vec![hash, math::unit(hash).to_bits()]
+    };
+    let host = "fn twin() {
+        let seed = next_u();
+        let x = next_i();
+        let z = next_i();
+        let cell = next_u();
+        let h = math_hash(seed, x, z, cell, next_u());
+        put_u(h);
+        put_f(math_unit(h));
+    }";
+    Twin { name: "hash", library: &[math::WGSL], host, tables: &[], rust }.check(gpu, By::Bits)
+}
+
+/// Wind at nodes and between them, and β_eq; phases are whole numbers, so gusts of 15 m/s differ by rounding of the blend only.
+pub(crate) fn wind_nodes_and_places(gpu: &Gpu) -> Verdict {
+    let sources = [
+        Source::Natural { velocity: [11.0, 3.0], turbulence: 0.35 },
+        Source::Natural { velocity: [-2.0, 5.0], turbulence: 0.5 },
+        Source::Uniform { velocity: [0.0, 2.0] },
+    ];
+    let field = WindField::at(&sources, 123_456_789, 1.0 / 60.0, 0.5);
+    let (block, tile) = (field.block(32), Tile::shipped());
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let patch = [random.whole(-9000, 9000), random.whole(-9000, 9000)];
+        let node = [random.whole(-1, 34), random.whole(-1, 34)];
+        let local = [random.float(-8.0, 40.0), random.float(-8.0, 40.0)];
+        input.extend(random.words);
+        let phases = field.patch_phases(patch, 32);
+        let at_node = field.velocity(&phases, node);
+        let [x, z] = field.velocity_local(&phases, local);
+        let [bx, bz] = wind::equilibrium(at_node, 0.0356);
+        bits([at_node[0], at_node[1], x, z, bx, bz])
+    };
+    let host = "
+    @group(0) @binding(2) var<storage, read> tile: array<vec2<f32>>;
+    @group(0) @binding(3) var<storage, read> wind: WindBlock;
+    fn wind_tile_load(index: u32) -> vec2<f32> { return tile[index]; }
+    fn twin() {
+        let patch_index = next_w();
+        let node = next_w();
+        let local = next_v();
+        var at_node = wind.mean;
+        var between = wind.mean;
+        for (var k = 0u; k < wind.count; k++) {
+            let octave = wind.octaves[k];
+            let base = wind_patch_phase(octave, patch_index, wind.intervals);
+            at_node += octave.amplitude * wind_sample(wind_node_phase(octave, base, node));
+            between += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
+        }
+        put_v(at_node);
+        put_v(between);
+        put_v(wind_equilibrium(at_node, 0.0356));
+    }";
+    let tables = &[bytemuck::cast_slice(tile.texels()), bytemuck::bytes_of(&block)];
+    // Between nodes a place of 40 m is rounded to 5 µm, over which the finest gust changes by 5e-5 m/s at most.
+    let tolerance = Tolerance { p999: 2e-5, rms: 4e-6, outlier: 1e-4, share: 0.0 };
+    Twin { name: "wind", library: &[math::WGSL, wind::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
+}
+
+/// Heights to 10 µm and slopes to 1e-5 on hills of 60 m, mirrored edges included.
+pub(crate) fn terrain_heights(gpu: &Gpu) -> Verdict {
+    let mut random = Random::new(u32::MAX);
+    let heights: Vec<f32> = (0..40 * 30).map(|_| random.drawn(0.0, 60.0)).collect();
+    let ground = Terrain::new(heights.clone(), 40, 30, [2.5, 3.5], [-50.0, -40.0])?;
+    let grid: TerrainGrid = ground.grid();
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let anchor = ground.anchor([0, 1].map(|_| f64::from(random.drawn(-400.0, 400.0))));
+        input.extend(anchor.index.map(|k| k as u32));
+        let local = [random.float(-2.0, 34.0), random.float(-2.0, 34.0)];
+        input.extend(anchor.fraction.map(f32::to_bits));
+        input.extend(random.words);
+        let (height, [x, z]) = ground.height_and_gradient(anchor, local);
+        bits([height, x, z])
+    };
+    let host = "
+    @group(0) @binding(2) var<storage, read> heights: array<f32>;
+    @group(0) @binding(3) var<storage, read> grid: TerrainGrid;
+    fn terrain_load(index: i32) -> f32 { return heights[index]; }
+    fn twin() {
+        let index = next_w();
+        let anchor = TerrainAnchor(index, next_v());
+        let place = terrain_height_and_gradient(grid, anchor, next_v());
+        put_f(place.x);
+        put_v(place.yz);
+    }";
+    let tables: &[&[u8]] = &[bytemuck::cast_slice(&heights), bytemuck::bytes_of(&grid)];
+    // At a sample the two sides of the spline meet; a place rounded to either side differs in nothing but rounding.
+    let tolerance = Tolerance { p999: 6e-5, rms: 1e-5, outlier: 2e-4, share: 0.0 };
+    Twin { name: "terrain", library: &[math::WGSL, terrain::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
+}
+
+/// Whether a plant stands is decided by a comparison with a smooth number: one in 10⁵ may fall the other way.
+pub(crate) fn plants_placed(gpu: &Gpu) -> Verdict {
+    let parameters = PlacementParameters { seed: 77, cells: 64, spacing: 0.25, cover: 0.8, height: [0.3, 0.5], clumping: 0.45, clumps: 3 };
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let patch = [random.whole(-9000, 9000), random.whole(-9000, 9000)];
+        let cell = [random.whole(0, 64) as u32, random.whole(0, 64) as u32];
+        input.extend(random.words);
+        match placement::plant(&parameters, patch, cell) {
+            Some(plant) => bits([1.0, plant.root[0], plant.root[1], plant.height, plant.yaw, plant.tint]),
+            None => bits([0.0; 6]),
+        }
+    };
+    let host = "
+    @group(0) @binding(2) var<storage, read> parameters: PlacementParameters;
+    fn twin() {
+        let patch_index = next_w();
+        let plant = placement_plant(parameters, patch_index, vec2<u32>(next_w()));
+        let present = f32(plant.present);
+        put_f(present);
+        put_v(present * plant.root);
+        put_f(present * plant.height);
+        put_f(present * plant.yaw);
+        put_f(present * plant.tint);
+    }";
+    let tables: &[&[u8]] = &[bytemuck::bytes_of(&parameters)];
+    let tolerance = Tolerance { p999: 2e-6, rms: 1e-2, outlier: 4e-6, share: 1e-5 };
+    Twin { name: "placement", library: &[math::WGSL, placement::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
+}
+
+/// Ends of segments of 10 cm, upright ones included.
+pub(crate) fn segments(gpu: &Gpu) -> Verdict {
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let reach = if n.is_multiple_of(10) { 2e-6 } else { 1.6 };
+        let bend = [random.float(-reach, reach), random.float(-reach, reach)];
+        input.extend(random.words);
+        bits(billboard::segment(bend, 0.1))
+    };
+    let host = "fn twin() {
+        let end = billboard_segment(next_v(), 0.1);
+        put_v(end.xy);
+        put_f(end.z);
+    }";
+    let library = &[math::WGSL, billboard::WGSL];
+    Twin { name: "segment", library, host, tables: &[], rust }.check(gpu, By::Absolute(ROUNDING))
+}
+
+/// Footprints of every shape in the middle of a turn, on a scene of their own.
+fn footprints() -> Result<StandPlan, Failed> {
+    let text = include_str!("../../../../scenes/crossing.ron");
+    let mut world = World::new(Scene::parse(text, "crossing.ron")?, &NoAssets)?;
+    world.state.step = 180;
+    world.plan();
+    world.state.step = 181;
+    let mut plan = world.plan();
+    plan.stands.pop().ok_or_else(|| "the scene has a stand".into())
+}
+
+/// Inside or outside is decided in whole numbers, so it is equal; where two edges are equally near, roundings choose the normal.
+pub(crate) fn contacts(gpu: &Gpu) -> Verdict {
+    let plan = footprints()?;
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let which = random.whole(0, plan.contacts.len() as i32);
+        let contact = &plan.contacts[which as usize];
+        let cell = [random.whole(0, contact.size[0]), random.whole(0, contact.size[1])];
+        let ground = random.float(-0.3, 0.3);
+        input.extend(random.words);
+        let edges = &plan.edges[contact.edge_first as usize..][..contact.edge_count as usize];
+        match contact_at(contact, edges, cell, ground, 0.4) {
+            Some(hit) => {
+                bits([1.0, hit.speed, hit.direction[0], hit.direction[1], hit.along, hit.height, hit.normal[0], hit.normal[1], hit.depth])
+            }
+            None => bits([0.0; 9]),
+        }
+    };
+    let host = "
+    @group(0) @binding(2) var<storage, read> contacts: array<Contact>;
+    @group(0) @binding(3) var<storage, read> edges: array<ContactEdge>;
+    fn contact_edge(index: u32) -> ContactEdge { return edges[index]; }
+    fn twin() {
+        let which = next_u();
+        let cell = next_w();
+        let hit = contact_at(contacts[which], cell, next_f(), 0.4);
+        let touches = f32(hit.touches);
+        put_f(touches);
+        put_f(select(0.0, hit.speed, hit.touches));
+        put_v(touches * hit.direction);
+        put_f(touches * hit.along);
+        put_f(touches * hit.height);
+        put_v(select(vec2<f32>(0.0), hit.normal, hit.touches));
+        put_f(select(0.0, hit.depth, hit.touches));
+    }";
+    let tables: &[&[u8]] = &[bytemuck::cast_slice(&plan.contacts), bytemuck::cast_slice(&plan.edges)];
+    let tolerance = Tolerance { p999: 5e-6, rms: 5e-3, outlier: 2e-5, share: 1e-4 };
+    Twin { name: "contact", library: &[math::WGSL, interaction::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
+}

@@ -1,0 +1,131 @@
+//! Whole runs of one scene on the CPU and on the GPU.
+
+use libtest_mimic::Failed;
+use sward::model::Folder;
+use sward::scene::Scene;
+use sward::state::NONE;
+use sward::world::World;
+use sward_wgpu::compare::{Deviation, Tolerance};
+use sward_wgpu::compute::GpuStep;
+use sward_wgpu::gpu::Gpu;
+
+use crate::adapter::{Verdict, ensure};
+use crate::kernels::line;
+
+/// Steps of a run: four seconds.
+const STEPS: u64 = 240;
+
+/// Agreement of bends, rad. The backends differ by rounding of each step, which the wave damps; a cell at a threshold (one push or
+/// another, limited or not) may go its own way for a while, with its neighbours.
+const BEND: Tolerance = Tolerance { p999: 2e-5, rms: 5e-6, outlier: 1e-3, share: 1e-4 };
+/// Agreement of bending velocities, rad/s: sixty times a difference of bends.
+const RATE: Tolerance = Tolerance { p999: 1e-3, rms: 3e-4, outlier: 5e-2, share: 1e-4 };
+/// Agreement of upper segments, rad. Whether a segment bends or recovers is a comparison of two lengths, which are almost equal wherever
+/// a plant turns round; the delay of the one is half the other's, so `history` shows another moment there, tenths of a radian away.
+const UPPER: Tolerance = Tolerance { rms: 3e-3, share: 3e-4, ..BEND };
+
+/// A run and what it is about.
+pub(crate) struct Run<'a> {
+    /// What the lines printed begin with.
+    pub(crate) name: &'a str,
+    /// The scene; its files are those of the repository.
+    pub(crate) scene: &'a str,
+    /// Whether the run showed what it is about; looked at on the CPU, at the end.
+    pub(crate) shows: fn(&World) -> bool,
+}
+
+/// A world on either backend.
+pub(crate) enum Backend {
+    /// The CPU kernels.
+    Cpu,
+    /// The compute passes.
+    Gpu(Box<GpuStep>),
+}
+
+impl Backend {
+    /// The GPU, with the cells the world holds now.
+    pub(crate) fn on(gpu: &Gpu, world: &World) -> Result<Self, Failed> {
+        Ok(Self::Gpu(Box::new(GpuStep::new(gpu, world)?)))
+    }
+
+    /// Some steps; afterwards the world holds its cells.
+    pub(crate) fn run(&mut self, gpu: &Gpu, world: &mut World, steps: u64) -> Verdict {
+        for _ in 0..steps {
+            match self {
+                Self::Cpu => world.step(),
+                Self::Gpu(step) => step.step(gpu, world)?,
+            }
+        }
+        match self {
+            Self::Cpu => Ok(()),
+            Self::Gpu(step) => Ok(step.download(gpu, world)?),
+        }
+    }
+}
+
+/// The world of a scene at time 0.
+pub(crate) fn world(scene: &str) -> Result<World, Failed> {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    Ok(World::new(Scene::parse(scene, "twins.ron")?, &Folder(root.into()))?)
+}
+
+impl Run<'_> {
+    /// Compares at a third, two thirds and the end.
+    pub(crate) fn check(&self, gpu: &Gpu) -> Verdict {
+        let (mut cpu, mut other) = (world(self.scene)?, world(self.scene)?);
+        let mut backend = Backend::on(gpu, &other)?;
+        let mut patches = 0;
+        for _ in 0..3 {
+            Backend::Cpu.run(gpu, &mut cpu, STEPS / 3)?;
+            backend.run(gpu, &mut other, STEPS / 3)?;
+            patches += cpu.state.stands.iter().map(|stand| stand.awake.len()).sum::<usize>();
+            agree(self.name, &cpu, &other, true)?;
+        }
+        ensure(patches > 0, || format!("{}: nothing was awake", self.name))?;
+        ensure((self.shows)(&cpu), || format!("{}: the run does not show what it is about: {}", self.name, counters(&cpu)))
+    }
+}
+
+/// The counters of all stands, for messages.
+pub(crate) fn counters(world: &World) -> String {
+    world.state.stands.iter().map(|stand| format!("{:?}", stand.counters)).collect::<Vec<_>>().join(" ")
+}
+
+/// β, ω and upper segments of all awake patches of a stand.
+fn cells(world: &World, stand: usize) -> [Vec<f32>; 3] {
+    let half = 2 * (world.model.stands[stand].cells * world.model.stands[stand].cells) as usize;
+    let state = &world.state.stands[stand];
+    let mut found = [Vec::new(), Vec::new(), Vec::new()];
+    for awake in state.awake.values() {
+        let cells = &state.cells.now[awake.slot as usize];
+        found[0].extend_from_slice(&cells[..half]);
+        found[1].extend_from_slice(&cells[half..]);
+        if awake.lag != NONE && world.model.stands[stand].lag.segments > 1 {
+            found[2].extend_from_slice(&state.cells.lag[awake.lag as usize]);
+        }
+    }
+    found
+}
+
+/// Whether two worlds have the same patches awake for the same reasons, equal counters, and cells that agree. Prints if `loud`.
+pub(crate) fn agree(name: &str, a: &World, b: &World, loud: bool) -> Verdict {
+    for (index, (left, right)) in a.state.stands.iter().zip(&b.state.stands).enumerate() {
+        let name = format!("{name}, {} at step {}", a.model.stands[index].name, a.state.step);
+        ensure(left.awake == right.awake, || format!("{name}: awake {:?} and {:?}", left.awake, right.awake))?;
+        ensure(left.counters == right.counters, || format!("{name}: {:?} and {:?}", left.counters, right.counters))?;
+        let parts = cells(a, index).into_iter().zip(cells(b, index)).zip([("bend", BEND), ("rate", RATE), ("upper", UPPER)]);
+        for ((left, right), (part, tolerance)) in parts {
+            // No patch awake, or none near a focus.
+            if left.is_empty() && right.is_empty() {
+                continue;
+            }
+            let deviation = Deviation::of(&left, &right, tolerance.outlier);
+            let line = line(&format!("{name}, {part}"), &deviation);
+            if loud {
+                println!("{line}");
+            }
+            ensure(deviation.within(&tolerance), || format!("{line} beyond {tolerance:?}"))?;
+        }
+    }
+    Ok(())
+}

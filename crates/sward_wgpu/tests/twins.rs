@@ -1,0 +1,46 @@
+//! Every kernel against its CPU twin, and whole runs on both backends.
+
+#[path = "support/adapter.rs"]
+mod adapter;
+#[path = "support/continuum.rs"]
+mod continuum;
+#[path = "support/controls.rs"]
+mod controls;
+#[path = "support/kernels.rs"]
+mod kernels;
+#[path = "support/maths.rs"]
+mod maths;
+#[path = "support/runs.rs"]
+mod runs;
+#[path = "support/scenes.rs"]
+mod scenes;
+
+fn main() -> std::process::ExitCode {
+    let tests: &[adapter::Test] = &[
+        ("small_maths", maths::small_maths),
+        ("hashes", maths::hashes),
+        ("wind_nodes_and_places", maths::wind_nodes_and_places),
+        ("terrain_heights", maths::terrain_heights),
+        ("plants_placed", maths::plants_placed),
+        ("segments", maths::segments),
+        ("contacts", maths::contacts),
+        ("bend", continuum::bend),
+        ("propagate", continuum::propagate),
+        ("limit", continuum::limit),
+        ("rest", continuum::rest),
+        ("lags", continuum::lags),
+        ("truck_on_hills", scenes::truck_on_hills),
+        ("lawn_and_sphere", scenes::lawn_and_sphere),
+        ("bodies_in_reed", scenes::bodies_in_reed),
+        ("sleeping_and_waking", scenes::sleeping_and_waking),
+        ("natural_wind", scenes::natural_wind),
+        ("each_lag", scenes::each_lag),
+        ("substeps", scenes::substeps),
+        ("small_budget", scenes::small_budget),
+        ("two_stands", scenes::two_stands),
+        ("one_percent_is_found", controls::one_percent_is_found),
+        ("swapped_planes_are_found", controls::swapped_planes_are_found),
+        ("hand_over", controls::hand_over),
+    ];
+    adapter::run(tests, |_, _| false)
+}
