@@ -56,7 +56,8 @@ impl Circumstances<'_> {
     }
 
     fn fade_steps(&self) -> u32 {
-        (FADE * self.rate).round().max(1.0) as u32
+        // At least 30 steps a second, so at least 9.
+        (FADE * self.rate).round() as u32
     }
 
     fn near_focus(&self) -> BTreeSet<PatchKey> {
@@ -186,9 +187,13 @@ fn wake(stand: &mut StandState, by: &Circumstances, wanted: &BTreeSet<PatchKey>,
         .map(|patch| (by.distance(*patch), *patch))
         .collect();
     queue.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    // Places of fading patches come free by themselves: who waits for one of them need not send another away.
+    let mut coming = stand.awake.values().filter(|awake| awake.fading > 0).count();
     for (distance, patch) in queue {
-        if stand.free.is_empty() {
+        if stand.free.is_empty() && coming == 0 {
             make_room(stand, by, distance);
+        } else if stand.free.is_empty() {
+            coming -= 1;
         }
         let Some(slot) = stand.free.pop_first() else {
             stand.counters.denied += 1;

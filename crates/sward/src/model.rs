@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::interaction::{Piece, pieces_of};
 use crate::placement::PlacementParameters;
+pub use crate::response::StandModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::scene::{Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
 use crate::terrain::Terrain;
@@ -34,29 +35,6 @@ impl Assets for NoAssets {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         Err(format!("{path}: this scene was opened without a folder to read from"))
     }
-}
-
-/// A stand, compiled.
-#[derive(Clone, Debug)]
-pub struct StandModel {
-    /// Unique name.
-    pub name: String,
-    /// Species with the stand's own overrides.
-    pub species: SpeciesModel,
-    /// Cells per patch side.
-    pub cells: u32,
-    /// Cell side Δx, m.
-    pub spacing: f64,
-    /// Kernel numbers.
-    pub coefficients: Coefficients,
-    /// Substeps of the wave per step.
-    pub substeps: u32,
-    /// Kernel numbers of the upper segments.
-    pub lag: LagCoefficients,
-    /// Where plants stand.
-    pub placement: PlacementParameters,
-    /// Deviation that counts as rest, rad and rad/s.
-    pub tolerance: f32,
 }
 
 /// A body, compiled.
@@ -125,6 +103,7 @@ fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, Sc
             tolerance: tolerance(&species, sources),
             species,
             cells: stand.cells,
+            patch_side,
             spacing,
             coefficients,
             substeps,

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::interaction::{Contact, ContactEdge};
+use crate::interaction::{Contact, ContactEdge, Footprint};
 use crate::state::{NONE, PatchKey};
 use crate::wind::WindField;
 
@@ -67,4 +67,15 @@ impl PatchPlan {
     pub fn neighbour(&self, side: usize) -> Option<usize> {
         (self.neighbours[side] != NONE).then_some(self.neighbours[side] as usize)
     }
+}
+
+/// Patches under a footprint grown by `margin` cells.
+pub(crate) fn patches_under(footprint: &Footprint, side: i64, margin: i64) -> impl Iterator<Item = PatchKey> {
+    let range = |axis: usize| {
+        let low = (footprint.corner[axis] - margin).div_euclid(side);
+        let high = (footprint.corner[axis] + i64::from(footprint.contact.size[axis]) - 1 + margin).div_euclid(side);
+        low as i32..=high as i32
+    };
+    let (xs, zs) = (range(0), range(1));
+    zs.flat_map(move |z| xs.clone().map(move |x| [x, z]))
 }

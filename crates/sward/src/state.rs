@@ -30,6 +30,35 @@ pub struct State {
     pub dropped_steps: u64,
 }
 
+impl State {
+    /// A fingerprint (FNV-1a) of the step, and of the bits of both time levels of every awake patch on the CPU, stand by stand in key
+    /// order. Where a patch is stored does not matter. Equal states have equal fingerprints on every machine.
+    pub fn hash(&self) -> u64 {
+        let mut hash = Fingerprint(0xcbf2_9ce4_8422_2325);
+        hash.add(self.step as u32);
+        hash.add((self.step >> 32) as u32);
+        for stand in &self.stands {
+            hash.add(stand.awake.len() as u32);
+            for (patch, awake) in &stand.awake {
+                patch.iter().for_each(|along| hash.add(*along as u32));
+                let slot = awake.slot as usize;
+                let levels = stand.cells.now.get(slot).into_iter().chain(stand.cells.old.get(slot));
+                levels.flat_map(|level| level.iter()).for_each(|value| hash.add(value.to_bits()));
+            }
+        }
+        hash.0
+    }
+}
+
+/// FNV-1a over words of 32 bits.
+struct Fingerprint(u64);
+
+impl Fingerprint {
+    fn add(&mut self, word: u32) {
+        self.0 = (self.0 ^ u64::from(word)).wrapping_mul(0x0100_0000_01b3);
+    }
+}
+
 /// A body now and one step ago.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodyState {

@@ -6,7 +6,7 @@ use crate::activation::{BAND, Circumstances, activate, keep};
 use crate::interaction::{Footprint, Grid, Pose, pose_on_path, stand_on, swept};
 use crate::lanes::Lanes;
 use crate::model::{Assets, Model, StandModel, rebased};
-use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan};
+use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, patches_under};
 use crate::response::continuum;
 use crate::scene::{Beyond, Path, Scene, SceneError};
 use crate::state::{BodyState, NONE, PatchKey, State, Summary, TILE};
@@ -15,6 +15,8 @@ use crate::wind::WindField;
 
 /// Faster than this, m/s, a body has jumped: it sweeps nothing.
 const JUMP: f64 = 150.0;
+/// Farther from the origin patch, m, a body cannot be driven: cell numbers would run out.
+const FARTHEST: f64 = 1e8;
 
 /// A simulation on the CPU, or the planning half of one on a GPU.
 ///
@@ -86,9 +88,11 @@ impl World {
     pub fn take_steps(&mut self, seconds: f64) -> u32 {
         let pending = self.state.pending_seconds + if seconds.is_finite() { seconds.max(0.0) } else { 0.0 };
         let whole = (pending / self.model.dt + 1e-9).floor().max(0.0);
-        self.state.pending_seconds = (pending - whole * self.model.dt).max(0.0);
+        // After absurdly long times the remainder is nothing but rounding.
+        let rest = pending - whole * self.model.dt;
+        self.state.pending_seconds = if (0.0..self.model.dt).contains(&rest) { rest } else { 0.0 };
         let steps = whole.min(f64::from(self.scene.budget.catch_up));
-        self.state.dropped_steps += (whole - steps) as u64;
+        self.state.dropped_steps = self.state.dropped_steps.saturating_add((whole - steps) as u64);
         steps as u32
     }
 
@@ -109,7 +113,7 @@ impl World {
     fn respond(&mut self, plan: &Plan) -> Vec<Vec<(PatchKey, Summary)>> {
         let mut summaries = Vec::new();
         for ((stand, plan_of), state) in self.model.stands.iter().zip(&plan.stands).zip(&mut self.state.stands) {
-            summaries.push(continuum::step(&self.model, stand, plan_of, &mut state.cells, self.lanes));
+            summaries.push(continuum::step(&self.model.terrain, stand, plan_of, &mut state.cells, self.lanes));
             continuum::lags(stand, plan_of, &mut state.cells, plan.step, self.lanes);
         }
         summaries
@@ -139,17 +143,18 @@ impl World {
     }
 
     /// Moves a body on a driven path: ground position [m], yaw [rad], clearance [m]. Takes effect in the next step. A body moved
-    /// faster than 150 m/s jumps. Unknown or undriven bodies are left alone; returns whether the body is driven.
+    /// faster than 150 m/s jumps. Returns whether the body was moved: unknown and undriven bodies are left alone, and so are all at
+    /// numbers beyond ±1e8.
     pub fn drive(&mut self, body: usize, ground: [f64; 2], yaw: f64, clearance: f64) -> bool {
-        let finite = ground.iter().chain([&yaw, &clearance]).all(|value| value.is_finite());
+        let near = ground.iter().chain([&yaw, &clearance]).all(|value| (-FARTHEST..=FARTHEST).contains(value));
         let driven = matches!(self.scene.interactors.get(body).map(|interactor| &interactor.path), Some(Path::Driven(_)));
         if driven
-            && finite
+            && near
             && let Some(state) = self.state.bodies.get_mut(body)
         {
             state.driven = Some((ground, yaw, clearance));
         }
-        driven && finite
+        driven && near
     }
 
     /// β [rad] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps.
@@ -167,6 +172,11 @@ impl World {
             }
             None => Some(continuum::Rest::of(&self.wind(model), patch, model.cells, model.species.continuum.wind).at(i as i32, j as i32)),
         }
+    }
+
+    /// A fingerprint of the state's cells: see [`State::hash`].
+    pub fn hash(&self) -> u64 {
+        self.state.hash()
     }
 
     /// The wind of the coming step on the nodes of a stand.
@@ -289,17 +299,6 @@ impl World {
         }
         plan
     }
-}
-
-/// Patches under a footprint grown by `margin` cells.
-fn patches_under(footprint: &Footprint, side: i64, margin: i64) -> impl Iterator<Item = PatchKey> {
-    let range = |axis: usize| {
-        let low = (footprint.corner[axis] - margin).div_euclid(side);
-        let high = (footprint.corner[axis] + i64::from(footprint.contact.size[axis]) - 1 + margin).div_euclid(side);
-        low as i32..=high as i32
-    };
-    let (xs, zs) = (range(0), range(1));
-    zs.flat_map(move |z| xs.clone().map(move |x| [x, z]))
 }
 
 /// Whether a body flies too high to touch anything: its underside against the ground below its centre, with room for slopes.

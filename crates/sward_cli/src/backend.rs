@@ -38,7 +38,7 @@ impl<'a> Backend<'a> {
     }
 
     /// Brings the cells into `world.state`.
-    pub(crate) fn fetch(&self, world: &mut World) -> Result<(), Failure> {
+    pub(crate) fn fetch(&mut self, world: &mut World) -> Result<(), Failure> {
         if let Self::Gpu(gpu, step) = self {
             step.download(gpu, world)?;
         }

@@ -185,7 +185,7 @@ impl Frame {
 }
 
 /// Pictures by species, colours by the stand.
-fn look_of(species: &Species, stand: &sward::model::StandModel) -> Look {
+fn look_of(species: &Species, stand: &sward::response::StandModel) -> Look {
     let kind = match species {
         Species::Lawn => Kind::Lawn,
         Species::Meadow => Kind::Meadow,

@@ -81,27 +81,6 @@ fn polynomial(coefficients: &[f64], x: f64) -> f64 {
     sum
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn angles_of_bodies_are_exact_to_twelve_digits() {
-        let mut worst = [0.0f64; 3];
-        for i in 0..=200_000 {
-            let x = (f64::from(i) - 100_000.0) * 9.87654321;
-            let (s, c) = sin_cos_f64(x);
-            worst[0] = worst[0].max((s - x.sin()).abs()).max((c - x.cos()).abs());
-            let near = x * 1e-5;
-            let (s, c) = sin_cos_f64(near);
-            worst[1] = worst[1].max((s - near.sin()).abs()).max((c - near.cos()).abs());
-            worst[2] = worst[2].max((atan2_f64(s * 7.0, c * 7.0) - (s * 7.0).atan2(c * 7.0)).abs());
-        }
-        println!("sin_cos_f64 {:.2e} far, {:.2e} near; atan2_f64 {:.2e}", worst[0], worst[1], worst[2]);
-        assert!(worst[0] <= 3e-16 && worst[1] <= 3e-16 && worst[2] <= 1e-15, "{worst:?}");
-    }
-}
-
 /// `x` brought into [0, period) by whole periods. `period` > 0.
 pub fn wrapped(x: f64, period: f64) -> f64 {
     let rest = x - period * (x / period).floor();
@@ -138,4 +117,25 @@ pub fn ln_f64(x: f64) -> f64 {
         y += 2.0 * (x - e) / (x + e);
     }
     y
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_of_bodies_are_exact_to_twelve_digits() {
+        let mut worst = [0.0f64; 3];
+        for i in 0..=200_000 {
+            let x = (f64::from(i) - 100_000.0) * 9.87654321;
+            let (s, c) = sin_cos_f64(x);
+            worst[0] = worst[0].max((s - x.sin()).abs()).max((c - x.cos()).abs());
+            let near = x * 1e-5;
+            let (s, c) = sin_cos_f64(near);
+            worst[1] = worst[1].max((s - near.sin()).abs()).max((c - near.cos()).abs());
+            worst[2] = worst[2].max((atan2_f64(s * 7.0, c * 7.0) - (s * 7.0).atan2(c * 7.0)).abs());
+        }
+        println!("sin_cos_f64 {:.2e} far, {:.2e} near; atan2_f64 {:.2e}", worst[0], worst[1], worst[2]);
+        assert!(worst[0] <= 3e-16 && worst[1] <= 3e-16 && worst[2] <= 1e-15, "{worst:?}");
+    }
 }

@@ -3,3 +3,6 @@
 //! To add one: a folder or file pair `x.rs` + `x.wgsl`, a variant of [`crate::scene::Response`] and an arm where the world steps.
 
 pub mod continuum;
+mod stand;
+
+pub use stand::StandModel;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use sward::model::StandModel;
+use sward::response::StandModel;
 use sward::scene::{Interactor, Path, Shape, Terrain, WindSource};
 use sward::world::World;
 

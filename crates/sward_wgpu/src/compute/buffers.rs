@@ -1,6 +1,6 @@
 //! The cells of one stand on the GPU. Buffers grow with the number of slots in use, never with the terrain.
 
-use sward::model::StandModel;
+use sward::response::StandModel;
 use sward::state::{Awake, Cells, NONE, StandState};
 
 use crate::gpu::{Gpu, GpuError};

@@ -1,8 +1,8 @@
 //! A plan as the compute passes read it.
 
 use bytemuck::{Pod, Zeroable};
-use sward::model::StandModel;
 use sward::plan::{PatchPlan, StandPlan};
+use sward::response::StandModel;
 use sward::response::continuum::{Coefficients, LagCoefficients, NODE_CELLS};
 use sward::state::{NONE, TILE};
 use sward::wind::equilibrium;

@@ -100,7 +100,7 @@ impl GpuStep {
             buffers.download(gpu, &mut state.cells)?;
             for (patch, awake) in &state.awake {
                 if let Some(ground) = state.cells.ground.get_mut(awake.slot as usize) {
-                    *ground = ground_of(model, stand, *patch);
+                    *ground = ground_of(&model.terrain, stand, *patch);
                 }
             }
         }
@@ -142,7 +142,7 @@ impl GpuStep {
         let level = world.model.terrain.is_flat();
         cells.reserve(gpu, state, level)?;
         for patch in plan.patches.iter().filter(|patch| patch.woken && !level) {
-            let ground = ground_of(&world.model, stand, patch.patch);
+            let ground = ground_of(&world.model.terrain, stand, patch.patch);
             // The tiled patch stands on level ground.
             let level_ground = if ground.values.is_empty() { vec![0.0_f32; 3 * (stand.cells * stand.cells) as usize] } else { Vec::new() };
             let bytes = bytemuck::cast_slice(if ground.values.is_empty() { &level_ground } else { &ground.values });

@@ -1,7 +1,7 @@
 //! The compute pipelines and the buffers that live for one step.
 
-use sward::model::StandModel;
 use sward::plan::StandPlan;
+use sward::response::StandModel;
 use wgpu::util::DeviceExt;
 
 use super::Work;

@@ -3,8 +3,8 @@
 //! Memory depends on `budget.visible_plants`, never on the field: patches are drawn in an even order that may be cut anywhere.
 
 use bytemuck::{Pod, Zeroable};
-use sward::model::StandModel;
 use sward::placement::PlacementParameters;
+use sward::response::StandModel;
 use sward::shading::clump::{VARIANTS, first_layer};
 use sward::state::{NONE, PatchKey, StandState, TILE};
 use sward::terrain::{TerrainAnchor, TerrainGrid};

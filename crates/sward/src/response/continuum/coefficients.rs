@@ -64,15 +64,16 @@ fn damping_of(lambda: f32, dt: f64) -> f64 {
 /// The fastest stable wave: `(Δx/Δt) √(0.98 (4 − 2λ − κΔt²)/8)` (methods §1.3).
 fn fastest(spacing: f64, dt: f64, damping: f64, restoring: f64) -> f64 {
     let room = 0.98 * (4.0 - 2.0 * damping - restoring) / 8.0;
-    spacing / dt * room.max(0.0).sqrt()
+    spacing / dt * if room > 0.0 { room.sqrt() } else { 0.0 }
 }
 
 impl Coefficients {
     /// Coefficients for step `dt` [s] on cells of side `spacing` [m], and the number of substeps the wave needs
     /// (κΔt² ≤ 1 for each). `plant_height` in m.
     pub fn new(species: &Continuum, dt: f64, spacing: f64, plant_height: f32) -> (Self, u32) {
-        let stiffest = f64::from(species.kappa).max(f64::from(species.kappa_omega));
-        let substeps = (stiffest * dt * dt).sqrt().ceil().max(1.0);
+        let stiffest = f64::from(math::upper(species.kappa, species.kappa_omega));
+        let whole = (stiffest * dt * dt).sqrt().ceil();
+        let substeps = if whole > 1.0 { whole } else { 1.0 };
         let h = dt / substeps;
         let (damping, rate_damping) = (damping_of(species.lambda_theta, h), damping_of(species.lambda_omega, h));
         let (restoring, rate_restoring) = (f64::from(species.kappa) * h * h, f64::from(species.kappa_omega) * h * h);

@@ -9,9 +9,10 @@ use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_p
 use super::rest::Rest;
 use crate::interaction::Contact;
 use crate::lanes::Lanes;
-use crate::model::{Model, StandModel};
 use crate::plan::{PatchPlan, StandPlan};
+use crate::response::StandModel;
 use crate::state::{Cells, Ground, NONE, PatchKey, Summary, TILE};
+use crate::terrain::Terrain;
 
 /// One awake patch at work.
 struct Task<'a> {
@@ -49,10 +50,10 @@ fn with_levels<'a, 'b>(
 }
 
 /// The ground under the cells of a patch: the numbers every backend uses for limits and contact.
-pub fn ground_of(model: &Model, stand: &StandModel, patch: PatchKey) -> Ground {
-    let anchor = model.terrain.anchor(patch.map(|p| f64::from(p) * model.patch_side));
-    if patch == TILE || model.terrain.is_flat() {
-        return Ground { values: Box::default(), steepest: 0.0, level: model.terrain.height(anchor, [0.0, 0.0]) };
+pub fn ground_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
+    let anchor = terrain.anchor(patch.map(|p| f64::from(p) * stand.patch_side));
+    if patch == TILE || terrain.is_flat() {
+        return Ground { values: Box::default(), steepest: 0.0, level: terrain.height(anchor, [0.0, 0.0]) };
     }
     let cells = stand.cells as usize;
     let area = cells * cells;
@@ -60,7 +61,7 @@ pub fn ground_of(model: &Model, stand: &StandModel, patch: PatchKey) -> Ground {
     let mut steepest = 0.0_f32;
     for cell in 0..area {
         let centre = [cell % cells, cell / cells].map(|k| (k as f32 + 0.5) * stand.spacing as f32);
-        let (height, [x, z]) = model.terrain.height_and_gradient(anchor, centre);
+        let (height, [x, z]) = terrain.height_and_gradient(anchor, centre);
         (values[cell], values[area + cell], values[2 * area + cell]) = (x, z, height);
         let steep = (x * x + z * z).sqrt();
         steepest = if steep > steepest { steep } else { steepest };
@@ -93,7 +94,7 @@ fn reserve(cells: &mut Cells, plan: &StandPlan, area: usize) {
 }
 
 /// contact → wave → limits of one stand; returns what activation wants to know of each patch. `cells.now` is one step on afterwards.
-pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cells, lanes: Lanes) -> Vec<(PatchKey, Summary)> {
+pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut Cells, lanes: Lanes) -> Vec<(PatchKey, Summary)> {
     let side = stand.cells as usize;
     reserve(cells, plan, side * side);
     let k_w = stand.species.continuum.wind;
@@ -105,7 +106,7 @@ pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cel
     each(with_levels(&mut tasks, cells), |(task, now, old, ground)| {
         if task.plan.woken {
             wake_patch(side, &task.rest, now, old);
-            *ground = ground_of(model, stand, task.plan.patch);
+            *ground = ground_of(terrain, stand, task.plan.patch);
         }
         touch(stand, plan, task, (now, old), ground);
     });
@@ -135,6 +136,9 @@ pub fn step(model: &Model, stand: &StandModel, plan: &StandPlan, cells: &mut Cel
     summaries
 }
 
+/// The upper segments and the past of one lag slot.
+type Lagging<'a> = (&'a mut Box<[f32]>, &'a mut Box<[f32]>);
+
 /// Upper segments of the patches that keep them, after [`step`]. `index` counts steps, for the ring of `history`.
 pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64, lanes: Lanes) {
     let lag = &stand.lag;
@@ -151,7 +155,7 @@ pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64,
         }
     }
     let now = &cells.now;
-    let mut slots: Vec<Option<(&mut Box<[f32]>, &mut Box<[f32]>)>> = cells.lag.iter_mut().zip(&mut cells.history).map(Some).collect();
+    let mut slots: Vec<Option<Lagging>> = cells.lag.iter_mut().zip(&mut cells.history).map(Some).collect();
     let work: Vec<_> = plan
         .patches
         .iter()

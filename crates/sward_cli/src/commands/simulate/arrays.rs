@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use npyz::{AutoSerialize, WriterBuilder};
-use sward::model::StandModel;
+use sward::response::StandModel;
 use sward::response::continuum::NODE_CELLS;
 use sward::state::{BodyState, StandState};
 use sward::wind::WindField;

@@ -1,0 +1,14 @@
+//! The continuum response against what the paper and the algebra say. Every comparison has a control that fails.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod direct;
+mod dispersion;
+mod energy;
+mod held;
+mod lags;
+mod limits;
+mod mirror;
+mod rescale;
+mod wind;

@@ -1,0 +1,14 @@
+//! What must hold for every scene: patches, energy of memory, activation, placement, footprints, callers, far places.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod activation;
+mod callers;
+mod far;
+mod finite;
+mod flips;
+mod footprints;
+mod patches;
+mod placement;
+mod residents;
