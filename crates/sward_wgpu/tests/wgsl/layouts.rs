@@ -10,6 +10,7 @@ use sward::wind::{Octave, WindBlock};
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
 use sward_wgpu::render::frame::FrameUniform;
 use sward_wgpu::render::plants::Plant;
+use sward_wgpu::render::prepare::{PatchDraw, PrepareUniform};
 
 use crate::texts::{parse, text_of};
 
@@ -47,10 +48,7 @@ fn without_padding(layout: Layout) -> Layout {
 
 /// Name in WGSL, a text that holds it, and the layout in Rust.
 fn shared() -> Vec<(&'static str, String, Layout)> {
-    let step = || text_of("step");
-    let with_math = |text: &str| format!("{}\n{text}", sward::math::WGSL);
-    let placement = with_math(sward::placement::WGSL);
-    let terrain = with_math(&format!("fn terrain_load(index: i32) -> f32 {{ return 0.0; }}\n{}", sward::terrain::WGSL));
+    let (step, prepare) = (|| text_of("step"), || text_of("prepare"));
     let edge = layout!(ContactEdge { start, along, normal, metres, unused });
     let contact = layout!(Contact {
         size,
@@ -96,6 +94,23 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         slot, lag, held, flags, neighbours, patch as "patch_index", pair_first, pair_count, keep, unused
     });
     let parameters = layout!(PlacementParameters { seed, cells, spacing, cover, height, clumping, clumps });
+    let uniform = layout!(PrepareUniform {
+        placement,
+        grid,
+        camera,
+        segments,
+        drawn,
+        bits,
+        layer,
+        plain,
+        full,
+        gone,
+        width,
+        wind_response,
+        fullness,
+        unused
+    });
+    let draw = layout!(PatchDraw { offset, patch as "patch_index", anchor, weights, slots, lags, first, count });
     vec![
         ("ContactEdge", step(), edge),
         ("Contact", step(), contact),
@@ -105,9 +120,12 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("WindBlock", step(), layout!(WindBlock { mean, count, intervals, octaves })),
         ("Stand", step(), stand),
         ("AwakePatch", step(), patch),
-        ("PlacementParameters", placement, parameters),
-        ("TerrainGrid", terrain.clone(), layout!(TerrainGrid { size, inverse_spacing })),
-        ("TerrainAnchor", terrain, layout!(TerrainAnchor { index, fraction })),
+        ("PlacementParameters", prepare(), parameters),
+        ("TerrainGrid", prepare(), layout!(TerrainGrid { size, inverse_spacing })),
+        ("TerrainAnchor", prepare(), layout!(TerrainAnchor { index, fraction })),
+        ("Prepare", prepare(), uniform),
+        ("PatchDraw", prepare(), draw),
+        ("Plant", prepare(), layout!(Plant { root, height, yaw, width, tint, layer })),
         ("Plant", text_of("plants"), layout!(Plant { root, height, yaw, width, tint, layer })),
     ]
 }

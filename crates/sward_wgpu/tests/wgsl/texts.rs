@@ -2,10 +2,11 @@
 
 use sward_wgpu::{compute, render};
 
-/// Every assembled shader with its name. A new host of WGSL (a `prepare` pass, say) adds its text here.
+/// Every assembled shader with its name. A new host of WGSL adds its text here.
 pub(crate) fn assembled() -> Vec<(&'static str, String)> {
     let mut texts = render::assembled();
     texts.push(("step", compute::passes::assembled()));
+    texts.push(("prepare", render::prepare::assembled()));
     texts
 }
 
