@@ -113,14 +113,17 @@ fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, Sc
     Ok(stands)
 }
 
-/// 1e-3 in still or steady air. In gusts, plants trail β_eq by their inertia for ever, the slow ones by nearly the whole swing:
-/// the swing of a 2σ gust is rest there, and the patch fades into β_eq.
+/// 1e-3 in still or steady air. In gusts plants trail β_eq by their inertia for ever, slow ones by nearly the whole swing, and some
+/// cell of a patch always meets a rare gust: what gusts of four standard deviations make of the mean bend is rest there, and the
+/// patch fades into β_eq.
 fn tolerance(species: &SpeciesModel, sources: &[Source]) -> f32 {
     let wind = crate::wind::WindField::at(sources, 0, 1.0, 1.0);
-    let gust = wind.gust_speed();
-    let swing = |speed: f32| crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0];
+    let rare = 2.0 * wind.gust_speed();
+    let bend = |speed: f32| crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0];
     let mean = (wind.mean[0] * wind.mean[0] + wind.mean[1] * wind.mean[1]).sqrt();
-    crate::response::continuum::REST + (swing(mean + gust) - swing(mean))
+    let lull = if mean > rare { mean - rare } else { 0.0 };
+    let (up, down) = (bend(mean + rare) - bend(mean), bend(mean) - bend(lull));
+    crate::response::continuum::REST + if rare == 0.0 { 0.0 } else { crate::math::upper(up, down) }
 }
 
 fn load_terrain(terrain: &SceneTerrain, assets: &dyn Assets) -> Result<Terrain, SceneError> {

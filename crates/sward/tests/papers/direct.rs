@@ -112,7 +112,7 @@ fn a_held_plant_never_stands_up_and_stays_inside_its_limits() {
     let (co, mut dice) = (coefficients(), Dice(1));
     let (mut fell, mut checked) = (0, 0);
     for _ in 0..20_000 {
-        let (angle, way) = (dice.between(0.0, 6.28), dice.between(0.0, 6.28));
+        let (angle, way) = (dice.between(0.0, std::f64::consts::TAU), dice.between(0.0, std::f64::consts::TAU));
         let slope = [dice.between(-1.5, 1.5) as f32, dice.between(-1.5, 1.5) as f32];
         let direction = [way.cos() as f32, way.sin() as f32];
         let mut size = dice.between(0.0, 1.57) as f32;

@@ -18,8 +18,8 @@ fn the_limit_is_upright_to_ground_along_the_bend() {
         let limit = bend_limit(slope.map(|v| v as f32), bend.map(|v| v as f32));
         assert!((f64::from(limit) - exact).abs() < 2e-6, "{slope:?} {bend:?}: {limit} for {exact}");
     }
-    assert!((bend_limit([1.0, 0.0], [0.5, 0.0]) - 0.7853982).abs() < 1e-6, "uphill");
-    assert!((bend_limit([1.0, 0.0], [-0.5, 0.0]) - 1.5707964).abs() < 1e-6, "downhill as far as level");
+    assert!((bend_limit([1.0, 0.0], [0.5, 0.0]) - std::f32::consts::FRAC_PI_4).abs() < 1e-6, "uphill");
+    assert!((bend_limit([1.0, 0.0], [-0.5, 0.0]) - std::f32::consts::FRAC_PI_2).abs() < 1e-6, "downhill as far as level");
     assert_eq!(bend_limit([100.0, 0.0], [0.5, 0.0]), 0.05, "a cliff leaves a little");
 }
 
