@@ -70,7 +70,7 @@ impl CellBuffers {
         if slots <= self.slots && lag_slots <= self.lag_slots {
             return Ok(false);
         }
-        let limit = u64::from(gpu.device.limits().max_storage_buffer_binding_size) / 4;
+        let limit = gpu.device.limits().max_storage_buffer_binding_size / 4;
         let room = |wanted: u32, have: u32, floats: u64| {
             let fits = limit.checked_div(floats).map_or(u32::MAX, |slots| slots.min(u64::from(u32::MAX)) as u32);
             if wanted > fits { None } else { Some(wanted.next_power_of_two().max(have).min(fits)) }
