@@ -103,6 +103,11 @@ impl Studio {
         self.renderer.read(gpu)
     }
 
+    /// The plants of a stand in the last picture: near ones with all segments, and plain ones.
+    pub fn batches(&self, stand: usize) -> Option<&[BatchBuffers; 2]> {
+        self.batches.get(stand)
+    }
+
     /// Fills the batches; returns the number of plants in each.
     fn prepare_plants(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt, view: &View, origin: PatchKey) -> Vec<[u32; 2]> {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());

@@ -221,6 +221,10 @@ pub struct PreparePass {
 pub struct BatchBuffers {
     /// Storage of plants and joints, and room in plants.
     pub filled: Option<(wgpu::Buffer, wgpu::Buffer)>,
+    /// Plants in the last picture, those of height 0 included.
+    pub plants: u32,
+    /// Segments of each.
+    pub segments: u32,
     room: u32,
 }
 
@@ -288,13 +292,14 @@ impl PreparePass {
         cells: &CellBuffers,
         buffers: &mut BatchBuffers,
     ) {
+        let drawn = if plain { 1 } else { stand.species.billboard.segments };
+        (buffers.plants, buffers.segments) = (batch.plants, drawn);
         if batch.draws.is_empty() {
             return;
         }
         let (view, origin, fullness) = view;
         let side = world.model.patch_side;
         let billboard = &stand.species.billboard;
-        let drawn = if plain { 1 } else { billboard.segments };
         buffers.reserve(gpu, batch.plants, drawn + 1);
         let Some((plants, joints)) = &buffers.filled else { return };
         let uniform = PrepareUniform {

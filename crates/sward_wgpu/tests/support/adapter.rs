@@ -1,9 +1,9 @@
-//! Runs tests that need a graphics adapter: without one they are ignored, not passed; with `CI` set they fail.
+//! Runs tests that need a graphics adapter: without any they are ignored, not passed; with `CI` set they fail.
 
 use std::sync::Arc;
 
 use libtest_mimic::{Arguments, Failed, Trial};
-use sward_wgpu::gpu::Gpu;
+use sward_wgpu::gpu::{Gpu, GpuError};
 
 /// What a test answers.
 pub(crate) type Verdict = Result<(), Failed>;
@@ -13,17 +13,18 @@ pub(crate) type Test = (&'static str, fn(&Gpu) -> Verdict);
 /// Runs the tests on one device; those that `skip` names on this adapter are ignored.
 pub(crate) fn run(tests: &[Test], skip: fn(&Gpu, &str) -> bool) -> std::process::ExitCode {
     let arguments = Arguments::from_args();
-    let gpu = Arc::new(Gpu::new().map_err(|error| error.to_string()));
+    let gpu = Arc::new(Gpu::new());
     let demanded = std::env::var_os("CI").is_some();
     let trials = tests.iter().map(|(name, test)| {
         let ignored = match &*gpu {
             Ok(gpu) => skip(gpu, name),
-            Err(_) => !demanded,
+            Err(GpuError::NoAdapter) => !demanded,
+            Err(_) => false,
         };
         let (gpu, test) = (Arc::clone(&gpu), *test);
         let body = move || match &*gpu {
             Ok(gpu) => test(gpu).and_then(|()| Ok(gpu.check()?)),
-            Err(error) => Err(error.as_str().into()),
+            Err(error) => Err(error.to_string().into()),
         };
         Trial::test(*name, body).with_ignored_flag(ignored)
     });
