@@ -128,7 +128,7 @@ fn released(species: &str, rate: u32) -> (f64, f64, Torus) {
 /// species and the frequency comes out higher, by the share given here.
 #[test]
 fn a_released_bend_sways_with_the_frequency_and_damping_people_set() {
-    for (species, tolerance) in [("Meadow", 0.04), ("Reed", 0.04), ("Tussock", 0.11), ("Lawn", 0.19)] {
+    for (species, tolerance) in [("Meadow", 0.04), ("Reed", 0.04), ("Tussock", 0.13), ("Lawn", 0.19)] {
         let (frequency, damping, torus) = released(species, 60);
         let continuum = torus.stand.species.continuum;
         let omega = f64::from(continuum.kappa).sqrt();
