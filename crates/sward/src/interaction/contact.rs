@@ -123,16 +123,33 @@ fn nearest(edges: &[ContactEdge], point: [i32; 2], velocity: [f32; 2], speed: f3
     Some(nearest)
 }
 
-/// Height of the piece's underside at `at` [m from the corner] for one end of the step; very high where there is none.
-fn underside(contact: &Contact, reference: [f32; 4], gradient: [f32; 2], at: [f32; 2]) -> f32 {
+/// Height of a plane underside at `at` [m from the corner] for one end of the step.
+fn plane(reference: [f32; 4], gradient: [f32; 2], at: [f32; 2]) -> f32 {
+    reference[2] + gradient[0] * (at[0] - reference[0]) + gradient[1] * (at[1] - reference[1])
+}
+
+/// `at` seen from one end of the step, in radii of the ellipsoid.
+fn in_radii(contact: &Contact, reference: [f32; 4], at: [f32; 2]) -> [f32; 2] {
     let (x, z) = (at[0] - reference[0], at[1] - reference[1]);
-    if contact.kind == 0 {
-        return reference[2] + gradient[0] * x + gradient[1] * z;
-    }
     let [cosine, sine, across, lengthwise] = contact.form;
-    let (u, v) = ((cosine * x - sine * z) * across, (sine * x + cosine * z) * lengthwise);
+    [(cosine * x - sine * z) * across, (sine * x + cosine * z) * lengthwise]
+}
+
+/// Lowest underside over `at` during the step; very high where there is none. A plane is lowest at one end of the step, an ellipsoid
+/// where it passes nearest: taken at the ends only, a fast ball would skip the plants between.
+fn underside(contact: &Contact, at: [f32; 2]) -> f32 {
+    if contact.kind == 0 {
+        let before = plane(contact.start, [contact.form[0], contact.form[1]], at);
+        return math::lower(before, plane(contact.end, [contact.form[2], contact.form[3]], at));
+    }
+    let (from, to) = (in_radii(contact, contact.start, at), in_radii(contact, contact.end, at));
+    let way = [to[0] - from[0], to[1] - from[1]];
+    let length = math::upper(way[0] * way[0] + way[1] * way[1], 1e-12);
+    let passed = math::clamped(-(from[0] * way[0] + from[1] * way[1]) / length, 0.0, 1.0);
+    let (u, v) = (from[0] + passed * way[0], from[1] + passed * way[1]);
     let inside = 1.0 - u * u - v * v;
-    if inside < 0.0 { 1e9 } else { reference[2] - contact.rise * inside.sqrt() }
+    let centre = contact.start[2] + passed * (contact.end[2] - contact.start[2]);
+    if inside < 0.0 { 1e9 } else { centre - contact.rise * inside.sqrt() }
 }
 
 /// Contact of one cell: `cell` counted from the footprint's corner, `ground` the terrain height at its centre [m]. `None` if the
@@ -148,9 +165,7 @@ pub fn contact_at(contact: &Contact, edges: &[ContactEdge], cell: [i32; 2], grou
     let velocity = [contact.velocity[0] + contact.yaw_rate * arm[1], contact.velocity[1] - contact.yaw_rate * arm[0]];
     let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
     let nearest = nearest(edges, point, velocity, speed)?;
-    let before = underside(contact, contact.start, [contact.form[0], contact.form[1]], at);
-    let after = underside(contact, contact.end, [contact.form[2], contact.form[3]], at);
-    let clearance = math::lower(before, after) - ground;
+    let clearance = underside(contact, at) - ground;
     if clearance >= plant_height {
         return None;
     }

@@ -44,15 +44,28 @@ fn contact_floor(hit: ContactHit) -> f32 {
     return math_atan(hit.depth / hit.height);
 }
 
-fn contact_underside(c: Contact, reference: vec4<f32>, gradient: vec2<f32>, at: vec2<f32>) -> f32 {
+fn contact_plane(reference: vec4<f32>, gradient: vec2<f32>, at: vec2<f32>) -> f32 {
+    return reference.z + gradient.x * (at.x - reference.x) + gradient.y * (at.y - reference.y);
+}
+
+fn contact_in_radii(c: Contact, reference: vec4<f32>, at: vec2<f32>) -> vec2<f32> {
     let p = at - reference.xy;
+    return vec2<f32>((c.form.x * p.x - c.form.y * p.y) * c.form.z, (c.form.y * p.x + c.form.x * p.y) * c.form.w);
+}
+
+/// Lowest underside over `at` during the step.
+fn contact_underside(c: Contact, at: vec2<f32>) -> f32 {
     if c.kind == 0u {
-        return reference.z + gradient.x * p.x + gradient.y * p.y;
+        return min(contact_plane(c.start, c.form.xy, at), contact_plane(c.end, c.form.zw, at));
     }
-    let u = (c.form.x * p.x - c.form.y * p.y) * c.form.z;
-    let v = (c.form.y * p.x + c.form.x * p.y) * c.form.w;
-    let inside = 1.0 - u * u - v * v;
-    return select(reference.z - c.rise * sqrt(max(inside, 0.0)), 1e9, inside < 0.0);
+    let start = contact_in_radii(c, c.start, at);
+    let way = contact_in_radii(c, c.end, at) - start;
+    let length_ = max(way.x * way.x + way.y * way.y, 1e-12);
+    let passed = clamp(-(start.x * way.x + start.y * way.y) / length_, 0.0, 1.0);
+    let nearest = start + passed * way;
+    let inside = 1.0 - nearest.x * nearest.x - nearest.y * nearest.y;
+    let centre = c.start.z + passed * (c.end.z - c.start.z);
+    return select(centre - c.rise * sqrt(max(inside, 0.0)), 1e9, inside < 0.0);
 }
 
 fn contact_at(c: Contact, cell: vec2<i32>, ground: f32, plant_height: f32) -> ContactHit {
@@ -90,9 +103,7 @@ fn contact_at(c: Contact, cell: vec2<i32>, ground: f32, plant_height: f32) -> Co
     if chosen > CONTACT_BAND {
         shape = vec2<f32>(0.0);
     }
-    let before = contact_underside(c, c.start, c.form.xy, at);
-    let after = contact_underside(c, c.end, c.form.zw, at);
-    let clearance = min(before, after) - ground;
+    let clearance = contact_underside(c, at) - ground;
     if clearance >= plant_height {
         return hit;
     }

@@ -81,7 +81,8 @@ parameters! {
         title: String = String::new(), "";
         /// Seed of every random choice: where plants stand and how they differ.
         seed: u32 = 1, "";
-        /// Patch whose corner is the authored position (0, 0); moves the whole scene over the ground without changing it.
+        /// Patch whose corner the scene is counted from: authored positions stay where they are, but far from (0, 0) they lose no
+        /// precision. A scene whose positions and origin move together stays the same, bit for bit.
         origin: [i32; 2] = [0, 0], "patches" in -1000000..=1000000;
         /// Fixed simulation steps per second.
         steps_per_second: u32 = 60, "1/s" in 30..=1000;

@@ -2,7 +2,7 @@
 
 use crate::common::Dice;
 use sward::interaction::{Footprint, Grid, Pose, contact_at, pieces_of, pose_on_path, swept};
-use sward::scene::{BoxShape, Ellipsoid, Polygon, Scene, Shape};
+use sward::scene::{BoxShape, Ellipsoid, Polygon, Scene, Shape, Sphere};
 use sward::terrain::Terrain;
 
 const GRID: Grid = Grid { spacing: 0.25, plant_height: 0.4 };
@@ -130,6 +130,25 @@ fn the_underside_is_the_lower_of_both_ends_of_the_step() {
     }
     let above = swept(piece, &at(1.0), &at(1.0), 1.0 / 60.0, &GRID, 0).expect("wide");
     assert_eq!(contact_at(&above.contact, &above.edges, [4, 4], 0.0, 0.4), None, "control: it stays above the plants");
+}
+
+#[test]
+fn a_fast_ball_skips_no_plants() {
+    let piece = &pieces_of(&Shape::Sphere(Sphere { radius: 0.4 }))[0];
+    for speed in [1.0, 15.0, 60.0, 140.0] {
+        let (start, end) = (pose([0.1, 0.1], 0.0), pose([0.1 + speed / 60.0, 0.1], 0.0));
+        let footprint = swept(piece, &start, &end, 1.0 / 60.0, &GRID, 0).expect("wide");
+        for way in 0..=20 {
+            let place = [0.1 + speed / 60.0 * f64::from(way) / 20.0, 0.1];
+            let cell = [0, 1].map(|k| ((place[k] / GRID.spacing).floor() as i64 - footprint.corner[k]) as i32);
+            let hit = contact_at(&footprint.contact, &footprint.edges, cell, 0.0, 0.05);
+            let centre = (footprint.corner[0] as f64 + f64::from(cell[0]) + 0.5) * GRID.spacing;
+            // A cell whose centre lies beyond either end may be free.
+            if centre > 0.1 && centre < end.ground[0] {
+                assert!(hit.is_some(), "{speed} m/s: free at {way}/20 of the way");
+            }
+        }
+    }
 }
 
 #[test]

@@ -12,3 +12,4 @@ mod footprints;
 mod patches;
 mod placement;
 mod residents;
+mod tiled;
