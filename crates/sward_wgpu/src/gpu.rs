@@ -77,18 +77,15 @@ impl Gpu {
     /// # Errors
     /// As [`Gpu::new`].
     pub async fn open(wanted: Option<&str>) -> Result<Self, GpuError> {
-        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
-        descriptor.flags = if std::env::var_os("SWARD_VALIDATION").is_some_and(|value| value == "1") {
-            // Not DEBUG: it names WGSL as the source language inside the SPIR-V, which layers before 2023 refuse.
-            wgpu::InstanceFlags::VALIDATION
-        } else {
-            wgpu::InstanceFlags::empty()
-        };
-        let instance = wgpu::Instance::new(descriptor);
-        // OpenGL is looked at last: opening it writes to standard error on machines without a display.
-        let mut adapters = instance.enumerate_adapters(wgpu::Backends::PRIMARY).await;
-        if adapters.is_empty() {
-            adapters = instance.enumerate_adapters(wgpu::Backends::SECONDARY).await;
+        let mut adapters = Vec::new();
+        // OpenGL is opened only where nothing better exists.
+        for backends in [wgpu::Backends::PRIMARY, wgpu::Backends::SECONDARY] {
+            if adapters.is_empty() {
+                let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+                descriptor.backends = backends;
+                descriptor.flags = flags();
+                adapters = wgpu::Instance::new(descriptor).enumerate_adapters(backends).await;
+            }
         }
         let adapter = choose(adapters, wanted)?;
         let adapter_info = adapter.get_info();
@@ -129,6 +126,16 @@ impl Gpu {
     pub fn check(&self) -> Result<(), GpuError> {
         let errors = self.take_errors();
         if errors.is_empty() { Ok(()) } else { Err(GpuError::Device(errors.join("\n"))) }
+    }
+}
+
+/// `SWARD_VALIDATION=1` switches the driver's validation layer on. Without debug information: older layers refuse WGSL as a source
+/// language in it.
+fn flags() -> wgpu::InstanceFlags {
+    if std::env::var_os("SWARD_VALIDATION").is_some_and(|value| value == "1") {
+        wgpu::InstanceFlags::VALIDATION
+    } else {
+        wgpu::InstanceFlags::empty()
     }
 }
 
