@@ -1,4 +1,8 @@
-//! Runs tests that need a graphics adapter: without any they are ignored, not passed; with `CI` set they fail.
+//! Runs tests that need a graphics adapter: without any they are ignored, not passed; with `CI` set they fail. A message of the
+//! validation layer (`SWARD_VALIDATION=1`) fails the test that ends next.
+
+#[path = "mod.rs"]
+mod support;
 
 use std::sync::Arc;
 
@@ -13,6 +17,7 @@ pub(crate) type Test = (&'static str, fn(&Gpu) -> Verdict);
 /// Runs the tests on one device; those that `skip` names on this adapter are ignored.
 pub(crate) fn run(tests: &[Test], skip: fn(&Gpu, &str) -> bool) -> std::process::ExitCode {
     let arguments = Arguments::from_args();
+    let watch = support::Watch::install();
     let gpu = Arc::new(Gpu::new());
     let demanded = std::env::var_os("CI").is_some();
     let trials = tests.iter().map(|(name, test)| {
@@ -23,7 +28,12 @@ pub(crate) fn run(tests: &[Test], skip: fn(&Gpu, &str) -> bool) -> std::process:
         };
         let (gpu, test) = (Arc::clone(&gpu), *test);
         let body = move || match &*gpu {
-            Ok(gpu) => test(gpu).and_then(|()| Ok(gpu.check()?)),
+            Ok(gpu) => {
+                test(gpu)?;
+                gpu.check()?;
+                let messages = watch.take();
+                if messages.is_empty() { Ok(()) } else { Err(messages.join("\n").into()) }
+            }
             Err(error) => Err(error.to_string().into()),
         };
         Trial::test(*name, body).with_ignored_flag(ignored)
