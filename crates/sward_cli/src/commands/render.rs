@@ -65,7 +65,7 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
     console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {adapter} in {seconds:.1} s", opened.name))
 }
 
-/// One picture at `time` [s], or at the scene's own moment.
+/// One picture at `time` in seconds, or at the scene's own moment.
 pub(crate) fn single(opened: &Opened, time: Option<f64>, path: PathBuf) -> Shot {
     let steps = time.unwrap_or(opened.time) * f64::from(opened.scene.steps_per_second);
     Shot { step: steps.round() as u64, path }
