@@ -10,7 +10,7 @@ use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
 
 /// Steps between a summary's step and the activation that reads it.
 pub const LATENCY: usize = 2;
-/// Width of the border bands of a [`Summary`], cells: a wave crosses less than one cell a step.
+/// Width of the border bands of a [`crate::state::Summary`], cells: a wave crosses less than one cell a step.
 pub const BAND: usize = 1 + LATENCY;
 /// Time in which a released patch in view fades, s.
 const FADE: f64 = 0.3;

@@ -36,7 +36,7 @@ fn on_keys(scene: &Scene, time: f64) -> ([f64; 3], [f64; 3]) {
 }
 
 impl View {
-    /// The scene's camera at `time` [s]: on its keys, behind the body it follows, or still. Heights are above the ground.
+    /// The scene's camera at `time` \[s\]: on its keys, behind the body it follows, or still. Heights are above the ground.
     pub fn of(scene: &Scene, model: &Model, state: &State, time: f64) -> Self {
         let (mut eye, mut target) = on_keys(scene, time);
         let followed = scene.camera.follow.as_ref().and_then(|name| scene.interactors.iter().position(|body| &body.name == name));
@@ -58,7 +58,7 @@ impl View {
         [self.eye[0], self.eye[2]]
     }
 
-    /// Whether a patch of side `side` [m] may be in the picture: a wide cone around the view direction on the ground, generous for any
+    /// Whether a patch of side `side` \[m\] may be in the picture: a wide cone around the view direction on the ground, generous for any
     /// aspect ratio up to 21:9.
     pub fn sees(&self, patch: [i32; 2], side: f64) -> bool {
         let centre = patch.map(|p| (f64::from(p) + 0.5) * side);

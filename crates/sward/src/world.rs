@@ -142,7 +142,7 @@ impl World {
         self.state.step += 1;
     }
 
-    /// Moves a body on a driven path: ground position [m], yaw [rad], clearance [m]. Takes effect in the next step. A body moved
+    /// Moves a body on a driven path: ground position \[m\], yaw \[rad\], clearance \[m\]. Takes effect in the next step. A body moved
     /// faster than 150 m/s jumps. Returns whether the body was moved: unknown and undriven bodies are left alone, and so are all at
     /// numbers beyond ±1e8.
     pub fn drive(&mut self, body: usize, ground: [f64; 2], yaw: f64, clearance: f64) -> bool {
@@ -157,7 +157,7 @@ impl World {
         driven && near
     }
 
-    /// β [rad] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps.
+    /// β \[rad\] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps.
     /// `None` for an unknown stand.
     pub fn bend_at(&self, stand: usize, ground: [f64; 2]) -> Option<[f32; 2]> {
         let (model, state) = (self.model.stands.get(stand)?, self.state.stands.get(stand)?);

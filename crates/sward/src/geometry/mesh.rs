@@ -126,7 +126,7 @@ impl Mesh {
         self.extrude(&profile, [low.x, high.x], c, material, |_| 1.0);
     }
 
-    /// Appends a side profile of points (z, y), counter-clockwise with z to the right, extruded from x[0] to x[1].
+    /// Appends a side profile of points (z, y), counter-clockwise with z to the right, extruded from x\[0\] to x\[1\].
     ///
     /// The ends are inset by `chamfer`; `narrow(y)` scales x by height (a cabin leans inwards). The profile may be concave.
     pub fn extrude(&mut self, profile: &[Vec2], x: [f32; 2], chamfer: f32, material: Material, narrow: impl Fn(f32) -> f32) {

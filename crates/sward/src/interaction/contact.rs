@@ -48,7 +48,7 @@ pub struct Contact {
     pub yaw_rate: f32,
     /// Cell side, m.
     pub spacing: f32,
-    /// Start of the step: x and z of the piece's reference point [m from the corner], height there [m], unused.
+    /// Start of the step: x and z of the piece's reference point [m from the corner], height there \[m\], unused.
     pub start: [f32; 4],
     /// End of the step, likewise.
     pub end: [f32; 4],
@@ -152,7 +152,7 @@ fn underside(contact: &Contact, at: [f32; 2]) -> f32 {
     if inside < 0.0 { 1e9 } else { centre - contact.rise * inside.sqrt() }
 }
 
-/// Contact of one cell: `cell` counted from the footprint's corner, `ground` the terrain height at its centre [m]. `None` if the
+/// Contact of one cell: `cell` counted from the footprint's corner, `ground` the terrain height at its centre \[m\]. `None` if the
 /// piece does not reach the plants there.
 pub fn contact_at(contact: &Contact, edges: &[ContactEdge], cell: [i32; 2], ground: f32, plant_height: f32) -> Option<Hit> {
     if cell[0] < 0 || cell[1] < 0 || cell[0] >= contact.size[0] || cell[1] >= contact.size[1] {

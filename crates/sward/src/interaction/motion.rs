@@ -101,7 +101,7 @@ pub fn stand(ground: [f64; 2], yaw: f64, clearance: f64, half: [f64; 2], follow:
     Pose { ground, yaw, height: (left + right + back + front) / 4.0 + clearance, slope }
 }
 
-/// Pose of an interactor on its own path at `time` [s]. `half` as in its model: half width and half length, m.
+/// Pose of an interactor on its own path at `time` \[s\]. `half` as in its model: half width and half length, m.
 pub fn pose_on_path(interactor: &Interactor, half: [f64; 2], terrain: &Terrain, time: f64) -> Pose {
     let station = station(interactor, time);
     stand(station.ground, station.yaw, station.clearance, half, interactor.follow_ground, terrain)

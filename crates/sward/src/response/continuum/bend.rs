@@ -12,7 +12,7 @@ const OVER_THE_TOP: f32 = 0.35;
 /// Slower bodies, m/s, hold what they stand on.
 const HOLDING: f32 = 1e-4;
 
-/// A held cell after contact: bend [rad] and bending velocity [rad/s].
+/// A held cell after contact: bend \[rad\] and bending velocity [rad/s].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held {
     /// β, also its own past.

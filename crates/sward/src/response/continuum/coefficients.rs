@@ -68,7 +68,7 @@ fn fastest(spacing: f64, dt: f64, damping: f64, restoring: f64) -> f64 {
 }
 
 impl Coefficients {
-    /// Coefficients for step `dt` [s] on cells of side `spacing` [m], and the number of substeps the wave needs
+    /// Coefficients for step `dt` \[s\] on cells of side `spacing` \[m\], and the number of substeps the wave needs
     /// (κΔt² ≤ 1 for each). `plant_height` in m.
     pub fn new(species: &Continuum, dt: f64, spacing: f64, plant_height: f32) -> (Self, u32) {
         let stiffest = f64::from(math::upper(species.kappa, species.kappa_omega));

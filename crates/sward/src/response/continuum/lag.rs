@@ -31,7 +31,7 @@ pub struct LagCoefficients {
 }
 
 impl LagCoefficients {
-    /// Coefficients of a species of `segments` segments at step `dt` [s].
+    /// Coefficients of a species of `segments` segments at step `dt` \[s\].
     pub fn new(species: &Continuum, segments: u32, dt: f64) -> Self {
         let gain = |gamma: f32| {
             let tau = f64::from(gamma) / f64::from(segments.max(2) - 1);
