@@ -158,7 +158,7 @@ impl World {
     }
 
     /// β \[rad\] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps.
-    /// `None` for an unknown stand.
+    /// `None` for an unknown stand. Where a GPU steps, download its cells first: the answer is of the cells held here.
     pub fn bend_at(&self, stand: usize, ground: [f64; 2]) -> Option<[f32; 2]> {
         let (model, state) = (self.model.stands.get(stand)?, self.state.stands.get(stand)?);
         let side = i64::from(model.cells);
