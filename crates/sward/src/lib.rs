@@ -5,6 +5,7 @@
 #![forbid(unsafe_code)]
 
 pub mod activation;
+pub mod figure;
 pub mod geometry;
 pub mod interaction;
 pub mod lanes;

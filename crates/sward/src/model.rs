@@ -1,20 +1,27 @@
 //! The compiled scene: everything a step reads and never changes.
 
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
-use crate::interaction::{Piece, pieces_of};
+use crate::figure::Figure;
+use crate::interaction::{FigureBody, Piece, pieces_of};
 use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::scene::{Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
+use crate::state::BodyState;
 use crate::terrain::Terrain;
 use crate::wind::Source;
 
-/// Where a scene's files (terrain images) come from.
+/// Where a scene's files (terrain, bodies) come from.
 pub trait Assets {
     /// The bytes of the file a scene names, or why it cannot be read.
     fn read(&self, path: &str) -> Result<Vec<u8>, String>;
 }
+
+/// Largest file a scene may name, bytes.
+const LARGEST_FILE: u64 = 512 << 20;
 
 /// Files below a folder.
 #[derive(Clone, Debug)]
@@ -23,6 +30,10 @@ pub struct Folder(pub std::path::PathBuf);
 impl Assets for Folder {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         let full = self.0.join(Path::new(path));
+        let size = std::fs::metadata(&full).map_err(|error| format!("{}: {error}", full.display()))?.len();
+        if size > LARGEST_FILE {
+            return Err(format!("{}: {} MB, at most {} MB are read", full.display(), size >> 20, LARGEST_FILE >> 20));
+        }
         std::fs::read(&full).map_err(|error| format!("{}: {error}", full.display()))
     }
 }
@@ -42,10 +53,28 @@ impl Assets for NoAssets {
 pub struct BodyModel {
     /// Name, as in the scene.
     pub name: String,
-    /// Convex pieces.
+    /// Convex pieces; of a mesh with a clip, those of its first moment.
     pub pieces: Vec<Piece>,
+    /// The glTF figure of a mesh.
+    pub figure: Option<FigureBody>,
     /// Half width and half length of its base, m.
     pub half: [f64; 2],
+}
+
+impl BodyModel {
+    /// Whether its parts move against each other.
+    pub fn is_animated(&self) -> bool {
+        self.figure.as_ref().is_some_and(FigureBody::is_animated)
+    }
+
+    /// The pieces of an animated body before and after the last step; none of another.
+    pub fn pieces_between(&self, state: &BodyState) -> Vec<[Piece; 2]> {
+        let Some(figure) = self.figure.as_ref().filter(|figure| figure.is_animated() && state.pose.is_some()) else { return Vec::new() };
+        let [from, to] = state.clock;
+        let from = if figure.is_smooth(from, to) { from } else { to };
+        let pairs = figure.pieces(from).into_iter().zip(figure.pieces(to));
+        pairs.filter_map(|pair| Some([pair.0?, pair.1?])).collect()
+    }
 }
 
 /// The compiled scene.
@@ -77,6 +106,39 @@ fn half_of(shape: &Shape, pieces: &[Piece]) -> [f64; 2] {
     }
     let reach = |axis: usize| pieces.iter().flat_map(|piece| &piece.outline).map(|p| p[axis].abs()).fold(0.05, f64::max);
     [reach(0), reach(1)]
+}
+
+/// The bodies of a scene; each file is read and split once.
+fn body_models(scene: &Scene, assets: &dyn Assets) -> Result<Vec<BodyModel>, SceneError> {
+    let mut figures: BTreeMap<(&str, u32), Arc<Figure>> = BTreeMap::new();
+    let mut bodies = Vec::new();
+    for interactor in &scene.interactors {
+        let figure = match &interactor.shape {
+            Shape::Mesh(mesh) => {
+                let bad = |message: String| SceneError::in_file(&mesh.file, message);
+                let figure = match figures.get(&(mesh.file.as_str(), mesh.pieces)) {
+                    Some(known) => Arc::clone(known),
+                    None => {
+                        let bytes = assets.read(&mesh.file).map_err(|why| bad(format!("cannot be read: {why}")))?;
+                        let beside = |name: &str| {
+                            let folder = Path::new(&mesh.file).parent().unwrap_or(Path::new(""));
+                            assets.read(&folder.join(name).to_string_lossy())
+                        };
+                        Arc::new(Figure::read(&bytes, &beside, mesh.pieces).map_err(|error| bad(error.to_string()))?)
+                    }
+                };
+                figures.insert((&mesh.file, mesh.pieces), Arc::clone(&figure));
+                Some(FigureBody::new(figure, mesh).map_err(|error| bad(error.to_string()))?)
+            }
+            _ => None,
+        };
+        let pieces = match &figure {
+            Some(figure) => figure.pieces(0.0).into_iter().flatten().collect(),
+            None => pieces_of(&interactor.shape),
+        };
+        bodies.push(BodyModel { name: interactor.name.clone(), half: half_of(&interactor.shape, &pieces), pieces, figure });
+    }
+    Ok(bodies)
 }
 
 fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, SceneError> {
@@ -175,10 +237,6 @@ impl Model {
                 WindSource::Natural(wind) => Source::Natural { velocity: wind.velocity, turbulence: wind.turbulence },
             })
             .collect();
-        let bodies = scene.interactors.iter().map(|interactor| {
-            let pieces = pieces_of(&interactor.shape);
-            BodyModel { name: interactor.name.clone(), half: half_of(&interactor.shape, &pieces), pieces }
-        });
         let field = scene.field.patches.map(|count| {
             let low = count.map(|n| -((n / 2) as i32));
             [low, [low[0] + count[0] as i32, low[1] + count[1] as i32]]
@@ -193,7 +251,7 @@ impl Model {
             gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0)),
             stands,
             sources,
-            bodies: bodies.collect(),
+            bodies: body_models(scene, assets)?,
         })
     }
 }

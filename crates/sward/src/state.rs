@@ -66,6 +66,8 @@ pub struct BodyState {
     pub pose: Option<crate::interaction::Pose>,
     /// Pose before it; equal to `pose` where the body appeared or jumped.
     pub before: Option<crate::interaction::Pose>,
+    /// Seconds since it appeared, at `before` and at `pose`: where the clip of a mesh is. Equal where the body appeared or jumped.
+    pub clock: [f64; 2],
     /// Set from code: (ground m, yaw rad, clearance m), used at the next step by bodies on a driven path.
     pub driven: Option<([f64; 2], f64, f64)>,
 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::activation::{BAND, Circumstances, activate, keep};
-use crate::interaction::{Footprint, Grid, Pose, pose_on_path, stand_on, swept};
+use crate::interaction::{Footprint, Grid, Piece, Pose, pose_on_path, stand_on, swept, swept_between};
 use crate::lanes::Lanes;
 use crate::model::{Assets, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, patches_under};
@@ -213,17 +213,28 @@ impl World {
                 (Some(from), Some(to)) if !jumped(from, to) => Some(*from),
                 _ => next,
             };
+            let elapsed = time - self.scene.interactors[index].from;
+            body.clock = [if body.before == next && next != body.pose { elapsed } else { elapsed - self.model.dt }, elapsed];
             body.pose = next;
         }
-        self.model.stands.iter().map(|stand| self.footprints(stand)).collect()
+        let pieces: Vec<Vec<[Piece; 2]>> =
+            self.model.bodies.iter().zip(&self.state.bodies).map(|(body, state)| body.pieces_between(state)).collect();
+        self.model.stands.iter().map(|stand| self.footprints(stand, &pieces)).collect()
     }
 
-    fn footprints(&self, stand: &StandModel) -> Vec<Footprint> {
+    /// `moving`: pieces of bodies whose own parts move, before and after the step.
+    fn footprints(&self, stand: &StandModel, moving: &[Vec<[Piece; 2]>]) -> Vec<Footprint> {
         let grid = Grid { spacing: stand.spacing, plant_height: stand.coefficients.plant_height };
         let mut footprints = Vec::new();
         for (index, (body, state)) in self.model.bodies.iter().zip(&self.state.bodies).enumerate() {
             let (Some(before), Some(now)) = (&state.before, &state.pose) else { continue };
-            footprints.extend(body.pieces.iter().filter_map(|piece| swept(piece, before, now, self.model.dt, &grid, index as u32)));
+            let (dt, body_index) = (self.model.dt, index as u32);
+            if body.is_animated() {
+                let pairs = moving[index].iter();
+                footprints.extend(pairs.filter_map(|[a, b]| swept_between([a, b], before, now, dt, &grid, body_index)));
+            } else {
+                footprints.extend(body.pieces.iter().filter_map(|piece| swept(piece, before, now, dt, &grid, body_index)));
+            }
         }
         footprints
     }

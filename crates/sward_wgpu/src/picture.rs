@@ -94,6 +94,11 @@ impl Renderer {
         self.bodies.add_mesh(gpu, mesh)
     }
 
+    /// Moves the vertices of a mesh handed over before; their number stays.
+    pub fn move_mesh(&mut self, gpu: &Gpu, mesh: usize, moved: &Mesh) {
+        self.bodies.move_mesh(gpu, mesh, moved);
+    }
+
     /// Draws one picture of `size` pixels and keeps it on the GPU; sizes are limited to the device's largest texture.
     ///
     /// # Errors

@@ -1,6 +1,7 @@
 //! A world, drawn: prepares the visible plants and hands everything to the renderer.
 
 use glam::{Mat3, Mat4, Vec3};
+use sward::geometry::figure::figure_mesh;
 use sward::geometry::mesh::{Mesh, PAINT};
 use sward::geometry::truck::truck;
 use sward::interaction::Pose;
@@ -61,7 +62,12 @@ impl Studio {
             corner: terrain.corner(),
         };
         let mut renderer = Renderer::new(gpu, &Setup { relief, looks: looks.clone(), ..Setup::default() })?;
-        let meshes = world.scene.interactors.iter().map(|body| mesh_of(&body.shape).map(|mesh| renderer.add_mesh(gpu, &mesh))).collect();
+        let bodies = world.scene.interactors.iter().zip(&world.model.bodies);
+        let meshes = bodies.map(|(body, model)| match &model.figure {
+            Some(figure) => Some(renderer.add_mesh(gpu, &figure_mesh(figure, 0.0))),
+            None => mesh_of(&body.shape).map(|mesh| renderer.add_mesh(gpu, &mesh)),
+        });
+        let meshes = meshes.collect();
         let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand)).collect();
         let batches = world.model.stands.iter().map(|_| Default::default()).collect();
         let studio = Self { renderer, prepare: PreparePass::new(gpu, world), looks, meshes, batches, uploaded };
@@ -80,6 +86,7 @@ impl Studio {
                 buffers.upload(gpu, state);
             }
         }
+        self.pose_figures(gpu, world);
         let view = world.camera();
         let side = world.model.patch_side;
         let origin = view.focus().map(|metres| (metres / side).floor() as i32);
@@ -129,6 +136,15 @@ impl Studio {
         }
         gpu.queue.submit([encoder.finish()]);
         filled
+    }
+
+    /// Moves the meshes of bodies that play a clip.
+    fn pose_figures(&mut self, gpu: &Gpu, world: &World) {
+        for ((mesh, body), state) in self.meshes.iter().zip(&world.model.bodies).zip(&world.state.bodies) {
+            if let (Some(mesh), Some(figure), true) = (mesh, &body.figure, body.is_animated() && state.pose.is_some()) {
+                self.renderer.move_mesh(gpu, *mesh, &figure_mesh(figure, state.clock[1]));
+            }
+        }
     }
 
     fn bodies(&self, world: &World, frame: &Frame) -> Vec<BodyDraw> {
@@ -226,6 +242,8 @@ fn mesh_of(shape: &Shape) -> Option<Mesh> {
         Shape::Ellipsoid(body) => round(body.radii),
         Shape::Polygon(polygon) => Mesh::prism(&polygon.points.iter().map(|p| (*p).into()).collect::<Vec<_>>(), polygon.height, PAINT),
         Shape::Truck => truck(),
+        // Comes from its file: `figure_mesh`.
+        Shape::Mesh(_) => return None,
         Shape::Compound(compound) => {
             let mut mesh = Mesh::default();
             compound.parts.iter().filter_map(part_mesh).for_each(|part| mesh.append(&part));

@@ -89,9 +89,22 @@ fn reference(piece: &Piece, pose: &Pose, corner: [f64; 2]) -> [f32; 4] {
     [(pose.ground[0] + shift[0] - corner[0]) as f32, (pose.ground[1] + shift[1] - corner[1]) as f32, height as f32, 0.0]
 }
 
+/// Slope of a plane underside on the ground at a pose.
+fn slope(piece: &Piece, pose: &Pose) -> [f32; 2] {
+    let Underside::Slope { gradient: [x, z] } = piece.underside else { return pose.slope.map(|part| part as f32) };
+    let (sine, cosine) = math::sin_cos_f64(pose.yaw);
+    [(pose.slope[0] + cosine * x + sine * z) as f32, (pose.slope[1] - sine * x + cosine * z) as f32]
+}
+
 /// The footprint a piece sweeps from `start` to `end` in `dt` seconds; `None` if it is too thin to cover a cell centre.
 pub fn swept(piece: &Piece, start: &Pose, end: &Pose, dt: f64, grid: &Grid, body: u32) -> Option<Footprint> {
-    let points: Vec<[f64; 2]> = outline_at(piece, start).chain(outline_at(piece, end)).collect();
+    swept_between([piece, piece], start, end, dt, grid, body)
+}
+
+/// The same of a piece that also moves within its body: as it is at `start` and at `end`. Its velocity is its own then, not the body's.
+pub fn swept_between(pieces: [&Piece; 2], start: &Pose, end: &Pose, dt: f64, grid: &Grid, body: u32) -> Option<Footprint> {
+    let [before, piece] = pieces;
+    let points: Vec<[f64; 2]> = outline_at(before, start).chain(outline_at(piece, end)).collect();
     let bound = |axis: usize, pick: fn(f64, f64) -> f64, first: f64| points.iter().map(|p| p[axis]).fold(first, pick);
     let low = [bound(0, f64::min, f64::MAX), bound(1, f64::min, f64::MAX)];
     let high = [bound(0, f64::max, f64::MIN), bound(1, f64::max, f64::MIN)];
@@ -109,24 +122,31 @@ pub fn swept(piece: &Piece, start: &Pose, end: &Pose, dt: f64, grid: &Grid, body
     }
     let turn = math::wrapped_angle(end.yaw - start.yaw);
     let (form, rise, kind) = match piece.underside {
-        Underside::Plane => ([start.slope[0] as f32, start.slope[1] as f32, end.slope[0] as f32, end.slope[1] as f32], 0.0, 0),
+        Underside::Plane | Underside::Slope { .. } => {
+            let ([ax, az], [bx, bz]) = (slope(before, start), slope(piece, end));
+            ([ax, az, bx, bz], 0.0, 0)
+        }
         Underside::Ellipsoid { radii } => {
             let (sine, cosine) = math::sin_cos_f64(end.yaw + piece.yaw);
             ([cosine as f32, sine as f32, (1.0 / radii[0]) as f32, (1.0 / radii[2]) as f32], radii[1] as f32, 1)
         }
     };
+    let (from, to) = (reference(before, start, corner_metres), reference(piece, end, corner_metres));
+    let own = before.offset != piece.offset;
+    let apart = |axis: usize| if own { f64::from(to[axis]) - f64::from(from[axis]) } else { end.ground[axis] - start.ground[axis] };
+    let centre = |axis: usize| if own { to[axis] } else { (end.ground[axis] - corner_metres[axis]) as f32 };
     let contact = Contact {
         size: [size[0] as i32, size[1] as i32],
         edge_first: 0,
         edge_count: edges.len() as u32,
         shift,
         kind,
-        velocity: [((end.ground[0] - start.ground[0]) / dt) as f32, ((end.ground[1] - start.ground[1]) / dt) as f32],
-        centre: [(end.ground[0] - corner_metres[0]) as f32, (end.ground[1] - corner_metres[1]) as f32],
+        velocity: [(apart(0) / dt) as f32, (apart(1) / dt) as f32],
+        centre: [centre(0), centre(1)],
         yaw_rate: (turn / dt) as f32,
         spacing: grid.spacing as f32,
-        start: reference(piece, start, corner_metres),
-        end: reference(piece, end, corner_metres),
+        start: from,
+        end: to,
         form,
         rise,
         body,

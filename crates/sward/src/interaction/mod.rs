@@ -5,6 +5,7 @@
 
 mod contact;
 mod convex;
+mod figure;
 mod motion;
 mod piece;
 
@@ -12,6 +13,7 @@ mod piece;
 pub const WGSL: &str = include_str!("contact.wgsl");
 
 pub use contact::{Contact, ContactEdge, Hit, contact_at};
-pub use convex::{Footprint, Grid, swept};
+pub use convex::{Footprint, Grid, swept, swept_between};
+pub use figure::FigureBody;
 pub use motion::{Pose, pose_on_path, stand as stand_on};
 pub use piece::{Piece, Underside, pieces_of};

@@ -8,6 +8,11 @@ use crate::scene::{Part, Shape};
 pub enum Underside {
     /// Parallel to the body's base.
     Plane,
+    /// A plane that rises in the body's frame.
+    Slope {
+        /// Rise along x and z, m/m.
+        gradient: [f64; 2],
+    },
     /// Lower half of an ellipsoid with these radii along x, y, z of the piece, m; the piece's offset is its centre.
     Ellipsoid {
         /// Radii, m.
@@ -22,7 +27,7 @@ pub struct Piece {
     pub outline: Vec<[f64; 2]>,
     /// Underside.
     pub underside: Underside,
-    /// Reference point, m: height of a plane underside, centre of an ellipsoid.
+    /// Reference point, m: on a plane underside, centre of an ellipsoid.
     pub offset: [f64; 3],
     /// Turn of the piece in the body, rad about +Y.
     pub yaw: f64,
@@ -65,7 +70,7 @@ fn simple(shape: &Shape, offset: [f64; 3], yaw: f64) -> Option<Piece> {
         }
         Shape::Sphere(sphere) => ellipsoid([f64::from(sphere.radius); 3]),
         Shape::Ellipsoid(body) => ellipsoid(body.radii.map(f64::from)),
-        Shape::Truck | Shape::Compound(_) => return None,
+        Shape::Truck | Shape::Compound(_) | Shape::Mesh(_) => return None,
     })
 }
 
@@ -78,7 +83,7 @@ fn truck() -> Vec<Piece> {
     pieces
 }
 
-/// The pieces of a shape.
+/// The pieces of a shape; none of a mesh, whose are [`super::FigureBody::pieces`].
 pub fn pieces_of(shape: &Shape) -> Vec<Piece> {
     let part = |part: &Part| simple(&part.shape, part.offset.map(f64::from), f64::from(part.yaw));
     match shape {

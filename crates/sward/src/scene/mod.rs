@@ -61,7 +61,7 @@ pub use light::Light;
 pub use path::{Circle, Driven, Key, Keyframes, Path, Still};
 pub use presets::SpeciesModel;
 pub use reference::{Reference, reference};
-pub use shape::{BoxShape, Compound, Ellipsoid, Part, Polygon, Shape, Sphere};
+pub use shape::{BoxShape, Compound, Ellipsoid, MeshShape, Part, Polygon, Shape, Sphere};
 pub use stand::{Representation, Response, Species, Stand};
 pub use terrain::{Flat, Image, Terrain};
 pub use value::{FieldInfo, Value};

@@ -121,6 +121,10 @@ fn shape(shape: &Shape, trail: &Trail) -> Checked {
             }
             each(&compound.parts, &parts, |part, trail| simple(&part.shape, &trail.clone().key("shape")))
         }
+        Shape::Mesh(mesh) if mesh.file.is_empty() => {
+            let place = trail.clone().key("file");
+            Err(Problem::at(place, "`file` is empty").help("name a glTF file, like \"bodies/fox.glb\""))
+        }
         _ => Ok(()),
     }
 }
@@ -128,8 +132,8 @@ fn shape(shape: &Shape, trail: &Trail) -> Checked {
 /// The shape of a part: anything that is not made of parts itself.
 fn simple(part: &Shape, trail: &Trail) -> Checked {
     match part {
-        Shape::Truck | Shape::Compound(_) => {
-            let message = "a part is neither a `Truck` nor a `Compound`";
+        Shape::Truck | Shape::Compound(_) | Shape::Mesh(_) => {
+            let message = "a part is neither a `Truck` nor a `Mesh` nor a `Compound`";
             Err(Problem::at(trail.clone(), message).help("known: Box, Polygon, Sphere, Ellipsoid"))
         }
         other => shape(other, trail),

@@ -160,6 +160,10 @@ fn shape(shape: &Shape) -> String {
         Shape::Ellipsoid(of) => format!("ellipsoid of {} x {} x {} m", 2.0 * of.radii[0], 2.0 * of.radii[1], 2.0 * of.radii[2]),
         Shape::Truck => "truck".to_owned(),
         Shape::Compound(of) => format!("compound of {} parts", of.parts.len()),
+        Shape::Mesh(of) => match &of.clip {
+            Some(clip) => format!("mesh {}, clip {clip}", of.file),
+            None => format!("mesh {}", of.file),
+        },
     }
 }
 

@@ -109,11 +109,19 @@ impl BodyPass {
             gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
         };
         self.meshes.push(MeshBuffers {
-            vertices: init("mesh vertices", bytemuck::cast_slice(&mesh.vertices), wgpu::BufferUsages::VERTEX),
+            vertices: init("mesh vertices", bytemuck::cast_slice(&mesh.vertices), wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST),
             indices: init("mesh indices", bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX),
             count: mesh.indices.len() as u32,
         });
         self.meshes.len() - 1
+    }
+
+    /// Moves the vertices of a mesh; a mesh of another size is left alone.
+    pub(crate) fn move_mesh(&self, gpu: &Gpu, index: usize, mesh: &Mesh) {
+        let bytes: &[u8] = bytemuck::cast_slice(&mesh.vertices);
+        if let Some(buffers) = self.meshes.get(index).filter(|buffers| buffers.vertices.size() == bytes.len() as u64) {
+            gpu.queue.write_buffer(&buffers.vertices, 0, bytes);
+        }
     }
 
     pub(crate) fn place(&mut self, gpu: &Gpu, bodies: &[BodyDraw]) {
