@@ -17,6 +17,7 @@ mod material;
 mod part;
 mod read;
 mod split;
+mod thin;
 mod tree;
 
 use glam::DMat4;

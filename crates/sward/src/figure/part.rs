@@ -2,8 +2,8 @@
 
 use glam::{DMat4, DVec3};
 
-use super::hull::{LARGEST, hull, shaken};
-use super::split::{extreme, split};
+use super::split::split;
+use super::thin::thinned;
 use super::{Figure, FigureError, MOST_PARTS};
 
 /// Steepest slope of an underside: a plane far from its part must not run into the ground.
@@ -14,7 +14,7 @@ const STEEPEST: f64 = 1.0;
 pub struct Part {
     /// Index of the frame it follows.
     pub frame: u32,
-    /// Corners of its hull, at most 98.
+    /// Corners of its hull, about 100 at most.
     pub points: Vec<DVec3>,
     /// Triangles of its hull, counter-clockwise seen from outside; none for a flat part.
     pub faces: Vec<[u32; 3]>,
@@ -35,22 +35,8 @@ pub struct Posed {
 
 impl Part {
     fn new(frame: u32, points: &[DVec3]) -> Self {
-        let points = extreme(points);
-        let (low, high) = points.iter().fold((DVec3::MAX, DVec3::MIN), |(low, high), point| (low.min(*point), high.max(*point)));
-        let longest = (high - low).max_element();
-        let units = if longest > 0.0 { (LARGEST - 8.0) / longest } else { 0.0 };
-        let whole = |point: &DVec3| ((*point - low) * units).to_array().map(|part| part as i64 + 3);
-        let shaken: Vec<[i64; 3]> = points.iter().zip(0..).map(|(point, number)| shaken(whole(point), number)).collect();
-        // Slivers between corners that lie in one plane look anywhere; the plane's other triangles do.
-        let tolerance = 1e-3 * longest;
-        let supports = |face: &[u32; 3]| {
-            let [a, b, c] = face.map(|index| points[index as usize]);
-            let normal = (b - a).cross(c - a);
-            let length = normal.length();
-            length > 1e-6 * longest * longest && points.iter().all(|point| normal.dot(*point - a) <= tolerance * length)
-        };
-        let faces = hull(&shaken).into_iter().filter(supports).collect();
-        Self { frame, faces, points }
+        let (points, faces) = thinned(points);
+        Self { frame, points, faces }
     }
 
     /// The part moved by a matrix.

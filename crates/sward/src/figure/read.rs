@@ -1,5 +1,7 @@
 //! From the JSON's lists to vertices, triangles and frames.
 
+use std::collections::BTreeMap;
+
 use glam::{DMat4, Vec3};
 
 use super::container::Opened;
@@ -23,7 +25,8 @@ fn too_many_triangles(found: u64) -> FigureError {
 pub(super) fn figure(opened: &Opened<'_>) -> Result<Figure, FigureError> {
     let tree = tree(&opened.root)?;
     let clips = Clip::all(opened, &tree)?;
-    let mut gathered = Gathered { opened, pictures: pictures(opened)?, frames: Vec::new(), vertices: Vec::new(), triangles: Vec::new() };
+    let mut gathered = Gathered { opened, pictures: pictures(opened)?, frames: Vec::new(),
+        skins: BTreeMap::new(), vertices: Vec::new(), triangles: Vec::new() };
     for &node in &tree.shown {
         if let Some(mesh) = opened.root.nodes[node].mesh {
             gathered.mesh(node, mesh, &tree)?;
@@ -40,6 +43,8 @@ struct Gathered<'a> {
     opened: &'a Opened<'a>,
     pictures: Vec<Option<Picture>>,
     frames: Vec<Frame>,
+    /// First frame and number of joints of each skin met so far.
+    skins: BTreeMap<usize, (usize, u32)>,
     vertices: Vec<FigureVertex>,
     triangles: Vec<[u32; 3]>,
 }
@@ -48,12 +53,11 @@ impl Gathered<'_> {
     fn mesh(&mut self, node: usize, mesh: usize, tree: &Tree) -> Result<(), FigureError> {
         let root = &self.opened.root;
         let list = &at(&root.meshes, mesh, "meshes", &format!("nodes[{node}]"))?.primitives;
-        let first = self.frames.len();
-        let joints = match root.nodes[node].skin {
+        let (first, joints) = match root.nodes[node].skin {
             Some(skin) => self.joints(skin, tree, &format!("nodes[{node}]"))?,
             None => {
                 self.frames.push(Frame { node: tree.place[node], offset: DMat4::IDENTITY, joint: false });
-                0
+                (self.frames.len() - 1, 0)
             }
         };
         if self.frames.len() as u64 > MOST_FRAMES {
@@ -67,11 +71,15 @@ impl Gathered<'_> {
         Ok(())
     }
 
-    /// Adds the frames of a skin; returns how many.
-    fn joints(&mut self, skin: usize, tree: &Tree, place: &str) -> Result<u32, FigureError> {
+    /// First frame and number of joints of a skin; adds them when it is met first.
+    fn joints(&mut self, index: usize, tree: &Tree, place: &str) -> Result<(usize, u32), FigureError> {
+        if let Some(known) = self.skins.get(&index) {
+            return Ok(*known);
+        }
         let root = &self.opened.root;
-        let skin_place = format!("skins[{skin}]");
-        let skin = at(&root.skins, skin, "skins", place)?;
+        let skin_place = format!("skins[{index}]");
+        let skin = at(&root.skins, index, "skins", place)?;
+        let first = self.frames.len();
         let matrices: Vec<[f32; 16]> = match skin.inverse_bind_matrices {
             Some(accessor) => self.opened.vectors(accessor, &[16], 0.0, MOST_FRAMES, &skin_place)?,
             None => vec![glam::Mat4::IDENTITY.to_cols_array(); skin.joints.len()],
@@ -84,7 +92,9 @@ impl Gathered<'_> {
             at(&root.nodes, *joint, "nodes", &skin_place)?;
             self.frames.push(Frame { node: tree.place[*joint], offset: DMat4::from_cols_array(&matrix.map(f64::from)), joint: true });
         }
-        Ok(skin.joints.len() as u32)
+        let known = (first, skin.joints.len() as u32);
+        self.skins.insert(index, known);
+        Ok(known)
     }
 
     /// Corners of the triangles of a primitive: strips and fans are opened, points and lines left out.

@@ -7,6 +7,7 @@
 use glam::DVec3;
 
 use super::hull::{hull, shaken, volume};
+use super::thin::{bounds, directions, thinned};
 
 /// Voxels along the longest side.
 const CELLS: i32 = 32;
@@ -18,12 +19,6 @@ const WORTH: f64 = 0.02;
 const FINEST: f64 = 110.0;
 /// Most samples of all triangles.
 const MOST_SAMPLES: f64 = 20e6;
-
-/// Directions in which hulls are taken: the primitive vectors with parts in −2..=2.
-pub(super) fn directions() -> Vec<[i32; 3]> {
-    let all = (0..125).map(|k| [k % 5 - 2, k / 5 % 5 - 2, k / 25 - 2]);
-    all.filter(|d: &[i32; 3]| d.iter().any(|part| part % 2 != 0)).collect()
-}
 
 /// The grid around a body: voxel 0 along each axis is empty.
 struct Grid {
@@ -177,7 +172,7 @@ fn solid(grid: &Grid, points: &[DVec3], triangles: &[[u32; 3]], finest: f64) -> 
 
 /// Points whose hulls cover the body in at most `most` nearly convex parts; just the points themselves if `most` is 1.
 pub(super) fn split(points: &[DVec3], triangles: &[[u32; 3]], most: usize) -> Vec<Vec<DVec3>> {
-    let (low, high) = points.iter().fold((DVec3::MAX, DVec3::MIN), |(low, high), point| (low.min(*point), high.max(*point)));
+    let (low, high) = bounds(points);
     let longest = (high - low).max_element();
     if most < 2 || !(longest > 0.0 && longest.is_finite()) {
         return vec![points.to_vec()];
@@ -225,7 +220,7 @@ fn gathered(grid: &Grid, points: &[DVec3], triangles: &[[u32; 3]], finest: f64, 
     found.into_iter().map(|part| part.points).filter(|points| !points.is_empty()).collect()
 }
 
-/// The points seen so far, thinned to those farthest in some direction whenever there are many.
+/// The points seen so far, thinned to the corners of their hull whenever there are many.
 #[derive(Default)]
 struct Extremes {
     points: Vec<DVec3>,
@@ -235,28 +230,7 @@ impl Extremes {
     fn add(&mut self, point: DVec3) {
         self.points.push(point);
         if self.points.len() > 4096 {
-            self.points = extreme(&self.points);
+            self.points = thinned(&self.points).0;
         }
     }
-}
-
-/// The points farthest in each of the directions, each once, in a fixed order.
-pub(super) fn extreme(points: &[DVec3]) -> Vec<DVec3> {
-    let mut found: Vec<DVec3> = Vec::new();
-    for d in directions() {
-        let d = DVec3::from_array(d.map(f64::from));
-        let mut best: Option<(f64, DVec3)> = None;
-        for &point in points {
-            let along = d.dot(point);
-            if best.is_none_or(|(most, _)| along > most) {
-                best = Some((along, point));
-            }
-        }
-        if let Some((_, point)) = best
-            && !found.contains(&point)
-        {
-            found.push(point);
-        }
-    }
-    found
 }

@@ -143,9 +143,11 @@ fn given_figures_walk() {
         let (left, right) = (part_of(left), part_of(right));
         let (mut lowest, mut ups) = (f64::MAX, [0; 2]);
         for moment in 0..40 {
-            let pieces = body.pieces(length * f64::from(moment) / 40.0);
-            let height = |part: usize| pieces[part].as_ref().map_or(0.0, |piece| piece.offset[1]);
-            lowest = pieces.iter().flatten().map(|piece| piece.offset[1]).fold(lowest, f64::min);
+            let frames = body.pose(length * f64::from(moment) / 40.0);
+            let heights = body.figure.parts.iter().map(|part| part.posed(&frames[part.frame as usize]).map_or(0.0, |posed| posed.lowest));
+            let heights: Vec<f64> = heights.collect();
+            let height = |part: usize| heights[part];
+            lowest = heights.iter().copied().fold(lowest, f64::min);
             let (a, b) = (height(left), height(right));
             ups[0] += usize::from(a > b + 0.02);
             ups[1] += usize::from(b > a + 0.02);

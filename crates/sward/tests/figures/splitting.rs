@@ -62,7 +62,9 @@ fn a_table_stands_on_legs() {
         assert!(height > 0.6, "{height} m under the top at {at:?}");
     }
     for (x, z) in [(-0.9, -1.4), (0.9, -1.4), (-0.9, 1.4), (0.9, 1.4)] {
-        assert!(under(&figure.parts, [x, z]).is_some_and(|height| height.abs() < 0.01), "no leg at {x}, {z}");
+        // A leg's part reaches a little into the top, so its plane may rise outwards: below the leg's foot it is at most as much too low.
+        let foot = under(&figure.parts, [x, z]);
+        assert!(foot.is_some_and(|height| (-0.15..0.01).contains(&height)), "no leg at {x}, {z}: {foot:?}");
     }
     assert_eq!(under(&figure.parts, [1.3, 0.0]), None);
 }
