@@ -11,7 +11,7 @@ pub use crate::response::StandModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::scene::{Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
 use crate::state::BodyState;
-use crate::terrain::Terrain;
+use crate::terrain::{Terrain, is_tiff};
 use crate::wind::Source;
 
 /// Where a scene's files (terrain, bodies) come from.
@@ -194,11 +194,15 @@ fn load_terrain(terrain: &SceneTerrain, assets: &dyn Assets) -> Result<Terrain, 
         SceneTerrain::Image(image) => image,
     };
     let bad = |message: String| SceneError::in_file(&image.path, message);
+    let pixels = assets.read(&image.path).map_err(|why| bad(format!("cannot be read: {why}")))?;
     let sidecar = Path::new(&image.path).with_extension("toml");
     let sidecar = sidecar.to_string_lossy();
+    if is_tiff(&pixels) {
+        let text = assets.read(&sidecar).ok().and_then(|bytes| String::from_utf8(bytes).ok());
+        return Terrain::from_tiff(&pixels, text.as_deref(), image.scale, image.offset).map_err(|error| bad(error.to_string()));
+    }
     let text = assets.read(&sidecar).map_err(|why| bad(format!("its scale is in a file beside it, which cannot be read: {why}")))?;
     let text = String::from_utf8(text).map_err(|_| bad(format!("{sidecar} is not text")))?;
-    let pixels = assets.read(&image.path).map_err(|why| bad(format!("cannot be read: {why}")))?;
     Terrain::from_image(&pixels, &text, image.scale, image.offset).map_err(|error| bad(error.to_string()))
 }
 

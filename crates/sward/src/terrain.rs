@@ -5,6 +5,7 @@
 //! in `f64`, so the ground is as exact 250 km away as at home. Twin: `terrain.wgsl`.
 
 mod error;
+mod geotiff;
 mod load;
 mod surface;
 #[cfg(test)]
@@ -12,6 +13,7 @@ mod tests;
 
 use crate::math::{clamped, floored};
 pub use error::TerrainError;
+pub use geotiff::is_tiff;
 use error::check;
 use surface::{mirrored, period, surface_f32, surface_f64};
 
@@ -36,6 +38,8 @@ pub struct Terrain {
     corner: [f64; 2],
     /// 1 / spacing, for the kernels \[1/m\].
     inverse_spacing: [f32; 2],
+    /// Samples that had no data.
+    filled: u32,
 }
 
 /// A place on the terrain from which kernels measure: a sample and the way to the next one.
@@ -69,7 +73,7 @@ impl Terrain {
     /// Level ground everywhere; a height \[m\] that is not finite becomes 0.
     pub fn flat(height: f32) -> Self {
         let height = if height.is_finite() { height } else { 0.0 };
-        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2], inverse_spacing: [1.0; 2] }
+        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2], inverse_spacing: [1.0; 2], filled: 0 }
     }
 
     /// A terrain from `columns × rows` heights \[m\] (row-major, columns along +x), their `spacing` in x and z \[m\] and
@@ -95,7 +99,7 @@ impl Terrain {
             check("height", height, "a finite number of metres", false)?;
         }
         let inverse_spacing = spacing.map(|metres| (1.0 / metres) as f32);
-        Ok(Self { heights, columns, rows, spacing, corner, inverse_spacing })
+        Ok(Self { heights, columns, rows, spacing, corner, inverse_spacing, filled: 0 })
     }
 
     /// Heights \[m\], row-major, `row * columns + column`.
@@ -106,6 +110,11 @@ impl Terrain {
     /// The ground is level everywhere.
     pub fn is_flat(&self) -> bool {
         self.heights.iter().all(|height| *height == self.heights[0])
+    }
+
+    /// How many samples had no data in their file and took the height of the nearest that had.
+    pub fn filled(&self) -> u32 {
+        self.filled
     }
 
     /// Samples along x.

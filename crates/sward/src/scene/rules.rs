@@ -55,7 +55,7 @@ fn terrain(terrain: &Terrain) -> Checked {
     match terrain {
         Terrain::Image(image) if image.path.is_empty() => {
             let place = Trail::default().key("terrain").key("path");
-            Err(Problem::at(place, "`path` is empty").help("name a PNG, like \"assets/jacksboro.png\""))
+            Err(Problem::at(place, "`path` is empty").help("name a PNG or TIFF, like \"assets/jacksboro.png\""))
         }
         _ => Ok(()),
     }

@@ -36,6 +36,9 @@ pub enum TerrainError {
         /// What was found, such as `Rgb8`.
         found: String,
     },
+    /// The TIFF cannot be used.
+    #[error("the terrain's image {0}")]
+    Tiff(String),
     /// Image and sidecar, or heights and size, disagree.
     #[error("the terrain has {found} {what}, but {expected} are announced")]
     Size {

@@ -6,7 +6,7 @@ use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 use std::io::Cursor;
 
 /// What the sidecar says, in metres.
-struct Sidecar {
+pub(super) struct Sidecar {
     columns: u32,
     rows: u32,
     spacing: [f64; 2],
@@ -28,14 +28,35 @@ impl Terrain {
         let grey = decode(png_bytes, sidecar.columns, sidecar.rows)?;
         let metres = (sidecar.highest - sidecar.lowest) / 65535.0;
         let height = |value: &u16| ((sidecar.lowest + f64::from(*value) * metres) * scale) as f32;
-        let spacing = sidecar.spacing.map(|metres| metres * scale);
-        let half = [f64::from(sidecar.columns - 1) * 0.5, f64::from(sidecar.rows - 1) * 0.5];
-        let corner = [offset[0] - half[0] * spacing[0], offset[1] - half[1] * spacing[1]];
-        Self::new(grey.iter().map(height).collect(), sidecar.columns, sidecar.rows, spacing, corner)
+        placed(grey.iter().map(height).collect(), [sidecar.columns, sidecar.rows], sidecar.spacing, scale, offset)
     }
 }
 
+/// A grid of scaled heights, `spacing` \[m\] before scaling, its middle at `offset`.
+pub(super) fn placed(
+    heights: Vec<f32>,
+    size: [u32; 2],
+    spacing: [f64; 2],
+    scale: f64,
+    offset: [f64; 2],
+) -> Result<Terrain, TerrainError> {
+    let spacing = spacing.map(|metres| metres * scale);
+    let corner = [0, 1].map(|axis| offset[axis] - f64::from(size[axis] - 1) * 0.5 * spacing[axis]);
+    Terrain::new(heights, size[0], size[1], spacing, corner)
+}
+
 impl Sidecar {
+    /// Only the size of a pixel, m.
+    pub(super) fn spacing_of(text: &str) -> Result<[f64; 2], TerrainError> {
+        let table: toml::Table = text.parse().map_err(|e: toml::de::Error| TerrainError::Sidecar(e.to_string()))?;
+        let metres = |key, example| {
+            let value = number(&table, key, example)?;
+            check(key, value, "0.001 to 1000000 m", (1e-3..=1e6).contains(&value))?;
+            Ok(value)
+        };
+        Ok([metres("metres_per_pixel_x", "metres_per_pixel_x = 30")?, metres("metres_per_pixel_y", "metres_per_pixel_y = 30")?])
+    }
+
     fn parse(text: &str) -> Result<Self, TerrainError> {
         let table: toml::Table = text.parse().map_err(|e: toml::de::Error| TerrainError::Sidecar(e.to_string()))?;
         let metres = |key, example| {
