@@ -11,7 +11,7 @@ pub use crate::response::StandModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::scene::{Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
 use crate::state::BodyState;
-use crate::terrain::{Terrain, is_tiff};
+use crate::terrain::{Detail, Terrain, is_tiff};
 use crate::wind::Source;
 
 /// Where a scene's files (terrain, bodies) come from.
@@ -206,6 +206,15 @@ fn load_terrain(terrain: &SceneTerrain, assets: &dyn Assets) -> Result<Terrain, 
     Terrain::from_image(&pixels, &text, image.scale, image.offset).map_err(|error| bad(error.to_string()))
 }
 
+/// The bumps on the ground, anchored to what they lie on.
+fn detail_of(scene: &Scene) -> Detail {
+    let origin = match &scene.terrain {
+        SceneTerrain::Flat(_) => [0.0; 2],
+        SceneTerrain::Image(image) => image.offset,
+    };
+    scene.detail.as_ref().map_or(Detail::NONE, |detail| Detail::new(detail, origin))
+}
+
 /// The scene with every position counted from the corner of its origin patch.
 pub fn rebased(mut scene: Scene) -> Scene {
     let shift = scene.origin.map(|patch| f64::from(patch) * f64::from(scene.field.patch_side));
@@ -251,7 +260,7 @@ impl Model {
             rate: scene.steps_per_second,
             patch_side: f64::from(scene.field.patch_side),
             field,
-            terrain: load_terrain(&scene.terrain, assets)?,
+            terrain: load_terrain(&scene.terrain, assets)?.with_detail(detail_of(scene)),
             gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0)),
             stands,
             sources,

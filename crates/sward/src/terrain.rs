@@ -4,6 +4,7 @@
 //! mirrored about the outermost ones, for ever. Kernels work in `f32` relative to a [`TerrainAnchor`], which the CPU computes
 //! in `f64`, so the ground is as exact 250 km away as at home. Twin: `terrain.wgsl`.
 
+mod detail;
 mod error;
 mod geotiff;
 mod load;
@@ -12,13 +13,14 @@ mod surface;
 mod tests;
 
 use crate::math::{clamped, floored};
+pub use detail::{DETAIL_WGSL, Detail, TerrainDetail};
 pub use error::TerrainError;
 pub use geotiff::is_tiff;
 use error::check;
 use surface::{mirrored, period, surface_f32, surface_f64};
 
 /// The text of the WGSL twin. It needs `math.wgsl` and a function `terrain_load(index: i32) -> f32` from its host.
-pub const WGSL: &str = include_str!("terrain.wgsl");
+pub const WGSL: &str = concat!(include_str!("terrain/detail.wgsl"), "\n", include_str!("terrain.wgsl"));
 
 /// Most samples along one side of a [`Terrain`].
 pub const MAX_SIDE: u32 = 16384;
@@ -40,6 +42,8 @@ pub struct Terrain {
     inverse_spacing: [f32; 2],
     /// Samples that had no data.
     filled: u32,
+    /// Noise on top.
+    detail: Detail,
 }
 
 /// A place on the terrain from which kernels measure: a sample and the way to the next one.
@@ -50,6 +54,10 @@ pub struct TerrainAnchor {
     pub index: [i32; 2],
     /// The way from there to the next column and row, 0..=1.
     pub fraction: [f32; 2],
+    /// Cell of the detail's coarsest lattice.
+    pub detail_cell: [i32; 2],
+    /// The way through it, 0..=1.
+    pub detail_way: [f32; 2],
 }
 
 /// What the kernels must know besides the heights; the same layout as `TerrainGrid` in WGSL.
@@ -60,6 +68,8 @@ pub struct TerrainGrid {
     pub size: [i32; 2],
     /// Samples per metre along x and z.
     pub inverse_spacing: [f32; 2],
+    /// Noise on top.
+    pub detail: TerrainDetail,
 }
 
 impl Default for Terrain {
@@ -73,7 +83,7 @@ impl Terrain {
     /// Level ground everywhere; a height \[m\] that is not finite becomes 0.
     pub fn flat(height: f32) -> Self {
         let height = if height.is_finite() { height } else { 0.0 };
-        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2], inverse_spacing: [1.0; 2], filled: 0 }
+        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2], inverse_spacing: [1.0; 2], filled: 0, detail: Detail::NONE }
     }
 
     /// A terrain from `columns × rows` heights \[m\] (row-major, columns along +x), their `spacing` in x and z \[m\] and
@@ -99,17 +109,27 @@ impl Terrain {
             check("height", height, "a finite number of metres", false)?;
         }
         let inverse_spacing = spacing.map(|metres| (1.0 / metres) as f32);
-        Ok(Self { heights, columns, rows, spacing, corner, inverse_spacing, filled: 0 })
+        Ok(Self { heights, columns, rows, spacing, corner, inverse_spacing, filled: 0, detail: Detail::NONE })
     }
 
-    /// Heights \[m\], row-major, `row * columns + column`.
+    /// The same terrain with noise on top.
+    pub fn with_detail(self, detail: Detail) -> Self {
+        Self { detail, ..self }
+    }
+
+    /// The noise on top.
+    pub fn detail(&self) -> &Detail {
+        &self.detail
+    }
+
+    /// Heights of the samples \[m\], row-major, `row * columns + column`; without detail.
     pub fn heights(&self) -> &[f32] {
         &self.heights
     }
 
     /// The ground is level everywhere.
     pub fn is_flat(&self) -> bool {
-        self.heights.iter().all(|height| *height == self.heights[0])
+        self.detail.kernel.octaves == 0 && self.heights.iter().all(|height| *height == self.heights[0])
     }
 
     /// How many samples had no data in their file and took the height of the nearest that had.
@@ -139,13 +159,14 @@ impl Terrain {
 
     /// What the GPU must know besides [`Terrain::heights`].
     pub fn grid(&self) -> TerrainGrid {
-        TerrainGrid { size: [self.columns as i32, self.rows as i32], inverse_spacing: self.inverse_spacing }
+        TerrainGrid { size: [self.columns as i32, self.rows as i32], inverse_spacing: self.inverse_spacing, detail: self.detail.kernel }
     }
 
     /// The anchor at a ground position (x, z) \[m\].
     pub fn anchor(&self, ground: [f64; 2]) -> TerrainAnchor {
         let (index, fraction) = self.place(ground);
-        TerrainAnchor { index, fraction: fraction.map(|part| part as f32) }
+        let (detail_cell, detail_way) = self.detail.anchor(ground);
+        TerrainAnchor { index, fraction: fraction.map(|part| part as f32), detail_cell, detail_way }
     }
 
     /// Height \[m\] at `local` metres (x, z) from the anchor.
@@ -170,7 +191,12 @@ impl Terrain {
             way[axis] = clamped(place - whole as f32, 0.0, 1.0);
         }
         let (height, slope) = surface_f32(&self.neighbourhood(first), way);
-        (height, [slope[0] * self.inverse_spacing[0], slope[1] * self.inverse_spacing[1]])
+        let slope = [slope[0] * self.inverse_spacing[0], slope[1] * self.inverse_spacing[1]];
+        if self.detail.kernel.octaves == 0 {
+            return (height, slope);
+        }
+        let (above, rise) = self.detail.at(anchor.detail_cell, anchor.detail_way, local);
+        (height + above, [slope[0] + rise[0], slope[1] + rise[1]])
     }
 
     /// Height \[m\] at a ground position (x, z) \[m\], in `f64`.
@@ -182,7 +208,12 @@ impl Terrain {
     pub fn height_and_gradient_at(&self, x: f64, z: f64) -> (f64, [f64; 2]) {
         let (index, fraction) = self.place([x, z]);
         let (height, slope) = surface_f64(&self.neighbourhood(index), fraction);
-        (height, [slope[0] / self.spacing[0], slope[1] / self.spacing[1]])
+        let slope = [slope[0] / self.spacing[0], slope[1] / self.spacing[1]];
+        if self.detail.kernel.octaves == 0 {
+            return (height, slope);
+        }
+        let (above, rise) = self.detail.at_ground([x, z]);
+        (height + above, [slope[0] + rise[0], slope[1] + rise[1]])
     }
 
     /// Column and row before a ground position, within one mirrored period, and the way to the next.

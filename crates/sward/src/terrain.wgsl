@@ -4,11 +4,14 @@
 struct TerrainGrid {
     size: vec2<i32>,            // columns, rows
     inverse_spacing: vec2<f32>, // samples per metre
+    detail: TerrainDetail,
 }
 
 struct TerrainAnchor {
     index: vec2<i32>,    // within one mirrored period
     fraction: vec2<f32>, // 0..=1
+    detail_cell: vec2<i32>,
+    detail_way: vec2<f32>,
 }
 
 fn terrain_mirrored(index: i32, samples: i32) -> i32 {
@@ -67,7 +70,8 @@ fn terrain_height_and_gradient(grid: TerrainGrid, anchor: TerrainAnchor, local: 
         height += along_z[j] * row;
         gradient += vec2<f32>(along_z[j] * dot(slope_x, above), slope_z[j] * row);
     }
-    return vec3<f32>(base + height, gradient * grid.inverse_spacing);
+    let detail = terrain_detail(grid.detail, anchor.detail_cell, anchor.detail_way, local, 0.0);
+    return vec3<f32>(base + height, gradient * grid.inverse_spacing) + detail;
 }
 
 fn terrain_height(grid: TerrainGrid, anchor: TerrainAnchor, local: vec2<f32>) -> f32 {

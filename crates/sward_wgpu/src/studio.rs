@@ -60,6 +60,7 @@ impl Studio {
             rows: terrain.rows(),
             spacing: terrain.spacing(),
             corner: terrain.corner(),
+            detail: *terrain.detail(),
         };
         let mut renderer = Renderer::new(gpu, &Setup { relief, looks: looks.clone(), ..Setup::default() })?;
         let bodies = world.scene.interactors.iter().zip(&world.model.bodies);

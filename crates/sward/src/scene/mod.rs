@@ -27,6 +27,7 @@ mod billboard;
 mod budget;
 mod camera;
 mod continuum;
+mod detail;
 mod error;
 mod explain;
 mod field;
@@ -54,6 +55,7 @@ pub use billboard::{Billboard, BillboardOverrides};
 pub use budget::{Beyond, Budget};
 pub use camera::{Camera, CameraKey};
 pub use continuum::{Continuum, ContinuumOverrides, Lag};
+pub use detail::Detail;
 pub use error::{Problem, SceneError, Trail};
 pub use field::Field;
 pub use interactor::Interactor;
@@ -90,6 +92,8 @@ parameters! {
         field: Field = Field::default(), "";
         /// The shape of the ground.
         terrain: Terrain = Terrain::Flat(Flat::default()), "";
+        /// Bumps added to the ground.
+        detail: Option<Detail> = None, "";
         /// What grows.
         stands: Vec<Stand> = Vec::new(), "";
         /// The sources whose sum is the wind; none is calm air.

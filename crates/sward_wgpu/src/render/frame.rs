@@ -2,6 +2,7 @@
 
 use glam::{DVec2, Mat4, Quat, Vec3, Vec4};
 use sward::shading::sky::Light;
+use sward::terrain::TerrainDetail;
 
 /// The pattern of the ground repeats after this many metres (`SHADING_PERIOD` in `common.wgsl`).
 const PATTERN_PERIOD: f64 = 1024.0;
@@ -99,6 +100,9 @@ pub struct FrameUniform {
     ground: Vec4,
     relief: Vec4,
     relief_size: [u32; 4],
+    detail: Vec4,
+    detail_place: Vec4,
+    detail_cell: [i32; 4],
 }
 
 /// The terrain's samples as the shaders address them.
@@ -108,6 +112,10 @@ pub struct ReliefFrame {
     pub mapping: [f32; 4],
     /// Columns and rows.
     pub size: [u32; 2],
+    /// Noise on top.
+    pub detail: TerrainDetail,
+    /// The frame origin's cell of the noise, and the way through it.
+    pub detail_anchor: ([i32; 2], [f32; 2]),
 }
 
 impl FrameUniform {
@@ -137,6 +145,12 @@ impl FrameUniform {
             ground: sun.ground.extend(1.0),
             relief: Vec4::from(relief.mapping),
             relief_size: [relief.size[0], relief.size[1], 0, 0],
+            detail: Vec4::new(relief.detail.inverse_wavelength, relief.detail.amplitude, relief.detail.roughness, 0.0),
+            detail_place: Vec4::new(relief.detail_anchor.1[0], relief.detail_anchor.1[1], 0.0, 0.0),
+            detail_cell: {
+                let [x, z] = relief.detail_anchor.0;
+                [x, z, relief.detail.octaves as i32, relief.detail.seed as i32]
+            },
         }
     }
 }

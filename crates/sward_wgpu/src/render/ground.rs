@@ -1,12 +1,13 @@
 //! Terrain: a grid of rings displaced by the height field, coloured as turf and distant canopy.
 
+use sward::terrain::{DETAIL_WGSL, Detail};
 use wgpu::util::DeviceExt;
 
 use super::{PipelineParts, Slot, grid, layout, main_pipeline, shader};
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader, after the common ones.
-pub const PARTS: [&str; 3] = [super::HEIGHTS_WGSL, super::SHADOWS_WGSL, include_str!("ground.wgsl")];
+pub const PARTS: [&str; 5] = [sward::math::WGSL, DETAIL_WGSL, super::HEIGHTS_WGSL, super::SHADOWS_WGSL, include_str!("ground.wgsl")];
 
 /// A height field: row-major samples in metres.
 #[derive(Clone, Debug)]
@@ -21,12 +22,14 @@ pub struct Relief {
     pub spacing: [f64; 2],
     /// Ground position (x, z) of the first sample, metres.
     pub corner: [f64; 2],
+    /// Noise on top.
+    pub detail: Detail,
 }
 
 impl Relief {
     /// Level ground at `height` metres.
     pub fn flat(height: f32) -> Self {
-        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2] }
+        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2], detail: Detail::NONE }
     }
 
     /// How a frame at `origin` addresses the samples; reduced to one mirrored period so that f32 stays exact far away.
@@ -38,6 +41,8 @@ impl Relief {
         super::frame::ReliefFrame {
             mapping: [(1.0 / self.spacing[0]) as f32, (1.0 / self.spacing[1]) as f32, at(0, self.columns), at(1, self.rows)],
             size: [self.columns, self.rows],
+            detail: self.detail.kernel,
+            detail_anchor: self.detail.anchor(origin),
         }
     }
 }

@@ -20,8 +20,22 @@ fn heights_weights(f: f32) -> vec4<f32> {
     return 0.5 * vec4<f32>(-f + 2.0 * g - h, 2.0 - 5.0 * g + 3.0 * h, f + 4.0 * g - 3.0 * h, h - g);
 }
 
+// Noise on top of the samples at `p`, m. Far off, where the grid of the ground is coarse, it fades out octave by octave; that goes by
+// the distance from the camera alone, so that neighbouring rings of the grid agree on their rim.
+fn ground_detail(p: vec2<f32>) -> f32 {
+    let cell = frame.detail_cell;
+    let detail = TerrainDetail(frame.detail.x, frame.detail.y, frame.detail.z, u32(cell.z), bitcast<u32>(cell.w), 0u, 0u, 0u);
+    let resolved = max(distance(p, frame.camera.xz) / 24.0 - 1.0, 0.0);
+    return terrain_detail(detail, cell.xy, frame.detail_place.xy, p, resolved).x;
+}
+
 // Height of the ground at `p`, metres in frame space.
 fn ground_height(p: vec2<f32>) -> f32 {
+    return ground_samples(p) + ground_detail(p);
+}
+
+// The same without detail.
+fn ground_samples(p: vec2<f32>) -> f32 {
     if frame.relief_size.x * frame.relief_size.y <= 1u {
         return heights[0];
     }

@@ -117,9 +117,19 @@ pub(crate) fn wind_nodes_and_places(gpu: &Gpu) -> Verdict {
 
 /// Heights to 10 µm and slopes to 1e-5 on hills of 60 m, mirrored edges included.
 pub(crate) fn terrain_heights(gpu: &Gpu) -> Verdict {
+    terrain_of(gpu, "terrain", terrain::Detail::NONE)
+}
+
+/// The same with octaves of noise on top, anchored elsewhere.
+pub(crate) fn terrain_detail(gpu: &Gpu) -> Verdict {
+    let detail = sward::scene::Detail { amplitude: 2.0, wavelength: 3.0, octaves: 6, roughness: 0.6, seed: 7 };
+    terrain_of(gpu, "detail", terrain::Detail::new(&detail, [17.3, -5.1]))
+}
+
+fn terrain_of(gpu: &Gpu, name: &'static str, detail: terrain::Detail) -> Verdict {
     let mut random = Random::new(u32::MAX);
     let heights: Vec<f32> = (0..40 * 30).map(|_| random.drawn(0.0, 60.0)).collect();
-    let ground = Terrain::new(heights.clone(), 40, 30, [2.5, 3.5], [-50.0, -40.0])?;
+    let ground = Terrain::new(heights.clone(), 40, 30, [2.5, 3.5], [-50.0, -40.0])?.with_detail(detail);
     let grid: TerrainGrid = ground.grid();
     let rust = |n: u32, input: &mut Vec<u32>| {
         let mut random = Random::new(n);
@@ -127,6 +137,8 @@ pub(crate) fn terrain_heights(gpu: &Gpu) -> Verdict {
         input.extend(anchor.index.map(|k| k as u32));
         let local = [random.float(-2.0, 34.0), random.float(-2.0, 34.0)];
         input.extend(anchor.fraction.map(f32::to_bits));
+        input.extend(anchor.detail_cell.map(|k| k as u32));
+        input.extend(anchor.detail_way.map(f32::to_bits));
         input.extend(random.words);
         let (height, [x, z]) = ground.height_and_gradient(anchor, local);
         bits([height, x, z])
@@ -137,7 +149,9 @@ pub(crate) fn terrain_heights(gpu: &Gpu) -> Verdict {
     fn terrain_load(index: i32) -> f32 { return heights[index]; }
     fn twin() {
         let index = next_w();
-        let anchor = TerrainAnchor(index, next_v());
+        let fraction = next_v();
+        let cell = next_w();
+        let anchor = TerrainAnchor(index, fraction, cell, next_v());
         let place = terrain_height_and_gradient(grid, anchor, next_v());
         put_f(place.x);
         put_v(place.yz);
@@ -145,7 +159,7 @@ pub(crate) fn terrain_heights(gpu: &Gpu) -> Verdict {
     let tables: &[&[u8]] = &[bytemuck::cast_slice(&heights), bytemuck::bytes_of(&grid)];
     // At a sample the two sides of the spline meet; a place rounded to either side differs in nothing but rounding.
     let tolerance = Tolerance { p999: 6e-5, rms: 1e-5, outlier: 2e-4, share: 0.0 };
-    Twin { name: "terrain", library: &[math::WGSL, terrain::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
+    Twin { name, library: &[math::WGSL, terrain::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
 }
 
 /// Whether a plant stands is decided by a comparison with a smooth number: one in 10⁵ may fall the other way.

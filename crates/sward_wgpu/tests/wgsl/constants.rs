@@ -30,6 +30,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("SHADING_STRAW", Alone),
         ("PLANTS_MEAN_LIT", Alone),
         ("CONTACT_BAND", Source("interaction/contact.rs", "BAND")),
+        ("TERRAIN_DETAIL_PURPOSE", Source("terrain/detail.rs", "PURPOSE")),
         ("PLACEMENT_PRESENT", Source(PLACEMENT, "PRESENT")),
         ("PLACEMENT_PLACE_X", Source(PLACEMENT, "PLACE_X")),
         ("PLACEMENT_PLACE_Z", Source(PLACEMENT, "PLACE_Z")),

@@ -5,7 +5,7 @@ use std::mem::offset_of;
 use sward::interaction::{Contact, ContactEdge};
 use sward::placement::PlacementParameters;
 use sward::response::continuum::{Coefficients, LagCoefficients};
-use sward::terrain::{TerrainAnchor, TerrainGrid};
+use sward::terrain::{TerrainAnchor, TerrainDetail, TerrainGrid};
 use sward::wind::{Octave, WindBlock};
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
 use sward_wgpu::render::frame::FrameUniform;
@@ -121,8 +121,9 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("Stand", step(), stand),
         ("AwakePatch", step(), patch),
         ("PlacementParameters", prepare(), parameters),
-        ("TerrainGrid", prepare(), layout!(TerrainGrid { size, inverse_spacing })),
-        ("TerrainAnchor", prepare(), layout!(TerrainAnchor { index, fraction })),
+        ("TerrainGrid", prepare(), layout!(TerrainGrid { size, inverse_spacing, detail })),
+        ("TerrainDetail", prepare(), layout!(TerrainDetail { inverse_wavelength, amplitude, roughness, octaves, seed })),
+        ("TerrainAnchor", prepare(), layout!(TerrainAnchor { index, fraction, detail_cell, detail_way })),
         ("Prepare", prepare(), uniform),
         ("PatchDraw", prepare(), draw),
         ("Plant", prepare(), layout!(Plant { root, height, yaw, width, tint, layer })),
