@@ -46,6 +46,35 @@ fn fails_with_a_missing_terrain_file() {
 }
 
 #[test]
+fn fails_with_bodies_and_terrains_that_cannot_be_read() {
+    let place = Place::new("bodies");
+    let triangle = r#"{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36,
+            "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAAAAAIA/"}]}"#;
+    place.write("bodies/triangle.gltf", triangle);
+    place.write("bodies/cut.glb", "glTF\x02\0\0\0\0\x10\0\0");
+    place.write("bodies/empty.gltf", r#"{"asset": {"version": "2.0"}}"#);
+    place.write("maps/cut.tif", "II*\0\x08\0\0\0");
+    let body = |shape: &str| format!("(version: 1, interactors: [(shape: Mesh({shape}))])");
+    for (shape, words) in [
+        ("file: \"bodies/gone.glb\"", &["bodies/gone.glb", "cannot be read"][..]),
+        ("file: \"bodies/cut.glb\"", &["bodies/cut.glb", "announces 4096 bytes", "copy or export it again"]),
+        ("file: \"bodies/empty.gltf\"", &["no triangles", "export meshes"]),
+        ("file: \"bodies/triangle.gltf\", clip: \"Walk\"", &["no clip is called `Walk`", "leave `clip` out"]),
+        ("file: \"bodies/triangle.gltf\", scale: 1000", &["allowed 0.01 to 200 m", "type scale:"]),
+    ] {
+        place.write("body.ron", body(shape));
+        place.refuses(&["show", "body.ron"], words);
+        place.refuses(&["simulate", "body.ron", "--steps", "1", "-o", "data"], words);
+    }
+    place.write("body.ron", body("file: \"bodies/triangle.gltf\""));
+    assert!(place.sward(&["show", "body.ron"]).done().contains("mesh bodies/triangle.gltf"), "control");
+    place.write("hills.ron", "(version: 1, terrain: Image(path: \"maps/cut.tif\"))");
+    place.refuses(&["show", "hills.ron"], &["maps/cut.tif", "not a readable TIFF"]);
+}
+
+#[test]
 fn finds_terrain_beside_the_scene_above_it_and_among_the_shipped() {
     let place = Place::new("terrain");
     let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets");

@@ -21,6 +21,7 @@ fn main() -> std::process::ExitCode {
         ("hashes", maths::hashes),
         ("wind_nodes_and_places", maths::wind_nodes_and_places),
         ("terrain_heights", maths::terrain_heights),
+        ("terrain_detail", maths::terrain_detail),
         ("plants_placed", maths::plants_placed),
         ("segments", maths::segments),
         ("contacts", maths::contacts),

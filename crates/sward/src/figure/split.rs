@@ -179,7 +179,8 @@ pub(super) fn split(points: &[DVec3], triangles: &[[u32; 3]], most: usize) -> Ve
     }
     let side = longest / f64::from(CELLS) * 1.000001;
     let grid = Grid { low, side, size: ((high - low) / side).to_array().map(|cells| cells as i32 + 3) };
-    let finest = (MOST_SAMPLES / triangles.len().max(1) as f64 * 2.0).sqrt().clamp(1.0, FINEST);
+    let affordable = (MOST_SAMPLES / triangles.len().max(1) as f64 * 2.0).sqrt();
+    let finest = if affordable < FINEST { affordable } else { FINEST };
     let directions = directions();
     let mut parts = vec![part(solid(&grid, points, triangles, finest), grid.size, &directions)];
     let worth = (parts[0].whole as f64 * WORTH) as i64;

@@ -5,7 +5,7 @@ use super::parameters::parameters;
 parameters! {
     /// Bumps that are added to any terrain: smooth noise, finer and lower from octave to octave. They move bodies, bend limits and the picture alike.
     pub struct Detail {
-        /// Greatest height above or below the terrain; usual is about a quarter of it.
+        /// Height of the bumps: three times their root mean square, so hardly a place is farther above or below the terrain.
         amplitude: f32 = 0.1, "m" in 0.0..=20.0;
         /// Distance between the largest bumps. A little below the size of the terrain's pixels, they fill in what those leave out.
         wavelength: f32 = 4.0, "m" in 0.1..=1000.0;

@@ -1,7 +1,7 @@
 //! Detail below the samples: octaves of gradient noise, smooth to the second derivative.
 //!
 //! Perlin, *Improving Noise* (2002): gradients at the corners of a lattice, faded by 6t⁵ − 15t⁴ + 10t³. The gradients are hashes (uniform in
-//! a square, so the noise stays within ±1), each octave has a lattice twice as fine. Places are a cell and the way through it, so
+//! a square, so an octave stays within ±1), each octave has a lattice twice as fine. Places are a cell and the way through it, so
 //! the noise is as exact far away as at home. Twin: `detail.wgsl`.
 
 use crate::math::{clamped, floored, hash};
@@ -9,6 +9,9 @@ use crate::scene;
 
 /// What gradients are hashed for; the octave is added.
 const PURPOSE: u32 = 0xde7a_1100;
+
+/// Makes three times the root mean square of one octave 1.
+const THREE_RMS: f32 = 1.92;
 
 /// The text of the WGSL twin. It needs `math.wgsl`.
 pub const DETAIL_WGSL: &str = include_str!("detail.wgsl");
@@ -19,7 +22,7 @@ pub const DETAIL_WGSL: &str = include_str!("detail.wgsl");
 pub struct TerrainDetail {
     /// 1 / side of the coarsest lattice, 1/m.
     pub inverse_wavelength: f32,
-    /// Height of the coarsest octave, m; all together stay within the scene's amplitude.
+    /// Factor of the coarsest octave, m.
     pub amplitude: f32,
     /// Height of an octave as a share of the one before.
     pub roughness: f32,
@@ -54,11 +57,11 @@ impl Detail {
     pub fn new(detail: &scene::Detail, origin: [f64; 2]) -> Self {
         let (mut sum, mut share) = (0.0, 1.0);
         for _ in 0..detail.octaves {
-            (sum, share) = (sum + share, share * detail.roughness);
+            (sum, share) = (sum + share * share, share * detail.roughness);
         }
         let kernel = TerrainDetail {
             inverse_wavelength: (1.0 / f64::from(detail.wavelength)) as f32,
-            amplitude: if sum > 0.0 { detail.amplitude / sum } else { 0.0 },
+            amplitude: if sum > 0.0 { THREE_RMS * detail.amplitude / sum.sqrt() } else { 0.0 },
             roughness: detail.roughness,
             octaves: if detail.amplitude > 0.0 { detail.octaves } else { 0 },
             seed: detail.seed,

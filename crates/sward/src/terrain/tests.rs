@@ -204,3 +204,69 @@ fn the_twin_is_valid() {
     validate(&[crate::math::WGSL, WGSL, host]).unwrap();
     assert!(validate(&[crate::math::WGSL, WGSL]).is_err());
 }
+
+/// Detail over flat ground, 4 octaves from 3 m down, 0.5 m high.
+fn bumpy(origin: [f64; 2]) -> Terrain {
+    let detail = crate::scene::Detail { amplitude: 0.5, wavelength: 3.0, octaves: 4, roughness: 0.6, seed: 5 };
+    Terrain::flat(0.0).with_detail(Detail::new(&detail, origin))
+}
+
+#[test]
+fn detail_is_as_high_as_asked_for() {
+    let terrain = bumpy([0.0; 2]);
+    assert!(!terrain.is_flat() && Terrain::flat(0.0).is_flat());
+    let heights: Vec<f64> = points([3.0, -8.0], 500.0).map(|[x, z]| terrain.height_at(x, z)).collect();
+    let most = heights.iter().fold(0.0_f64, |most, height| most.max(height.abs()));
+    let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+    let rms = (heights.iter().map(|height| height * height).sum::<f64>() / heights.len() as f64).sqrt();
+    println!("most {most} m, mean {mean} m, rms {rms} m of an amplitude of 0.5 m");
+    assert!((0.4..0.75).contains(&most) && mean.abs() < 0.01 && (rms - 0.5 / 3.0).abs() < 0.012);
+    let none = crate::scene::Detail { amplitude: 0.0, ..Default::default() };
+    assert!(Terrain::flat(0.0).with_detail(Detail::new(&none, [0.0; 2])).is_flat());
+}
+
+#[test]
+fn detail_is_smooth_to_its_second_derivative() {
+    let terrain = bumpy([0.0; 2]);
+    let step = 1e-4;
+    let bend = |x: f64, z: f64| {
+        let slope = |x: f64, z: f64| terrain.height_and_gradient_at(x, z).1[0];
+        (slope(x + step, z) - slope(x - step, z)) / (2.0 * step)
+    };
+    let mut sharpest: f64 = 0.0;
+    // Across lattice lines of every octave, and away from them.
+    for k in -40..40 {
+        for along in [0.31, 1.7, 2.2] {
+            let line = f64::from(k) * 0.375;
+            let (before, after) = (bend(line - 3e-4, along), bend(line + 3e-4, along));
+            assert!((before - after).abs() < 0.2, "curvature jumps at {line}, {along}: {before}, {after}");
+            sharpest = sharpest.max(before.abs());
+        }
+    }
+    assert!(sharpest > 2.0, "control: it is curved at all: {sharpest}");
+    for [x, z] in points([0.0; 2], 30.0) {
+        let exact = terrain.height_and_gradient_at(x, z).1;
+        let along_x = (terrain.height_at(x + step, z) - terrain.height_at(x - step, z)) / (2.0 * step);
+        let along_z = (terrain.height_at(x, z + step) - terrain.height_at(x, z - step)) / (2.0 * step);
+        assert!((exact[0] - along_x).abs() < 1e-5 && (exact[1] - along_z).abs() < 1e-5, "slope at {x}, {z}");
+    }
+}
+
+#[test]
+fn detail_is_exact_far_from_home_and_moves_with_its_origin() {
+    let far = [256_000.0, -256_000.0];
+    let (home, away) = (bumpy([0.0; 2]), bumpy(far));
+    let mut worst: f64 = 0.0;
+    for ([x, z], local) in points([0.0; 2], 60.0).zip(points([0.0; 2], 40.0)) {
+        let moved = [x + far[0], z + far[1]];
+        assert!((home.height_at(x, z) - away.height_at(moved[0], moved[1])).abs() < 1e-9);
+        let local = local.map(|metres| metres as f32);
+        let exact = away.height_and_gradient_at(moved[0] + f64::from(local[0]), moved[1] + f64::from(local[1]));
+        let ours = away.height_and_gradient(away.anchor(moved), local);
+        worst = worst.max((f64::from(ours.0) - exact.0).abs()).max(0.01 * (f64::from(ours.1[0]) - exact.1[0]).abs());
+    }
+    println!("kernels are off by {worst} m");
+    assert!(worst < 2e-5, "{worst}");
+    let differs = |other: &Terrain| points([0.0; 2], 60.0).any(|[x, z]| (home.height_at(x, z) - other.height_at(x, z)).abs() > 0.05);
+    assert!(differs(&bumpy([0.7, 0.0])), "control: another origin, other bumps");
+}

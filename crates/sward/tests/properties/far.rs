@@ -4,10 +4,10 @@ use crate::common::world;
 use sward::world::World;
 
 /// A drive with gusts, authored `shift` metres from (0, 0), around the origin patch `origin`.
-fn drive(shift: [f64; 2], origin: [i32; 2], wind: &str) -> World {
+fn drive(shift: [f64; 2], origin: [i32; 2], wind: &str, ground: &str) -> World {
     let [x, z] = shift;
     world(&format!(
-        "origin: ({}, {}), field: (patch_side: 16.0), stands: [(species: Meadow, cells: 64)], wind: [{wind}],
+        "origin: ({}, {}), field: (patch_side: 16.0), stands: [(species: Meadow, cells: 64)], wind: [{wind}],{ground}
          interactors: [
             (shape: Truck, path: Keyframes(keys: [(time: 0.0, at: ({:?}, {:?})), (time: 1.0, at: ({:?}, {:?})), (time: 2.0, at: ({:?}, {:?}))])),
             (shape: Sphere(radius: 0.5), path: Circle(centre: ({:?}, {:?}), radius: 3.0, speed: 5.0)),
@@ -22,22 +22,27 @@ const SHIFT: f64 = 8000.0 * 16.0;
 #[test]
 fn a_scene_moved_with_its_origin_has_the_same_bits() {
     let gusts = "Natural(velocity: (4.0, 1.0))";
-    let (mut home, mut away) = (drive([0.0; 2], [0, 0], gusts), drive([SHIFT, -SHIFT], [8000, -8000], gusts));
-    let mut other = drive([SHIFT + 0.25, -SHIFT], [8000, -8000], gusts);
-    for step in 0..90 {
-        home.step();
-        away.step();
-        other.step();
-        assert_eq!(home.hash(), away.hash(), "step {step}");
+    let mut hashes = Vec::new();
+    for ground in ["", "detail: (amplitude: 0.3, wavelength: 3.0, octaves: 4),"] {
+        let (mut home, mut away) = (drive([0.0; 2], [0, 0], gusts, ground), drive([SHIFT, -SHIFT], [8000, -8000], gusts, ground));
+        let mut other = drive([SHIFT + 0.25, -SHIFT], [8000, -8000], gusts, ground);
+        for step in 0..90 {
+            home.step();
+            away.step();
+            other.step();
+            assert_eq!(home.hash(), away.hash(), "step {step}");
+        }
+        assert!(!home.state.stands[0].awake.is_empty());
+        assert_ne!(home.hash(), other.hash(), "control: a scene moved by a cell more has other bits");
+        hashes.push(home.hash());
     }
-    assert!(!home.state.stands[0].awake.is_empty());
-    assert_ne!(home.hash(), other.hash(), "control: a scene moved by a cell more has other bits");
+    assert_ne!(hashes[0], hashes[1], "control: detail changes what happens");
 }
 
 /// Without moving the origin, bodies move 128 km out in f64 and their footprints are rounded otherwise now and then: a unit is 1/1024 m.
 #[test]
 fn a_scene_far_from_its_origin_differs_by_rounding_only() {
-    let (mut home, mut away) = (drive([0.0; 2], [0, 0], ""), drive([SHIFT, -SHIFT], [0, 0], ""));
+    let (mut home, mut away) = (drive([0.0; 2], [0, 0], "", ""), drive([SHIFT, -SHIFT], [0, 0], "", ""));
     (0..90).for_each(|_| (home.step(), away.step()).0);
     let (mut worst, mut squares, mut count, mut bent) = (0.0_f64, 0.0, 0.0, 0);
     for j in -30..40 {

@@ -29,7 +29,7 @@ fn page(opened: &Opened, world: &World) -> String {
     let title = if scene.title.is_empty() { &opened.name } else { &scene.title };
     line(&mut text, "scene", &format!("{title}, seed {}, {} steps per second", scene.seed, scene.steps_per_second));
     line(&mut text, "field", &field(world));
-    line(&mut text, "terrain", &terrain(opened));
+    line(&mut text, "terrain", &terrain(opened, world));
     for (index, stand) in world.model.stands.iter().enumerate() {
         let species = format!("{:?}", scene.stands[index].species).to_lowercase();
         text += &show_stand(world, index, stand, &species);
@@ -80,11 +80,20 @@ fn field(world: &World) -> String {
     }
 }
 
-fn terrain(opened: &Opened) -> String {
-    match &opened.scene.terrain {
+fn terrain(opened: &Opened, world: &World) -> String {
+    let ground = match &opened.scene.terrain {
         Terrain::Flat(flat) => format!("flat, at {} m", flat.height),
         Terrain::Image(image) => format!("{}, scaled by {}", image.path, image.scale),
-    }
+    };
+    let filled = match world.model.terrain.filled() {
+        0 => String::new(),
+        filled => format!("; {filled} of {} samples had no data and took their neighbours'", world.model.terrain.heights().len()),
+    };
+    let detail = match &opened.scene.detail {
+        None => String::new(),
+        Some(detail) => format!("; bumps up to {} m, {} m apart", detail.amplitude, detail.wavelength),
+    };
+    ground + &filled + &detail
 }
 
 fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) -> String {
