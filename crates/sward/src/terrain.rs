@@ -15,8 +15,8 @@ mod tests;
 use crate::math::{clamped, floored};
 pub use detail::{DETAIL_WGSL, Detail, TerrainDetail};
 pub use error::TerrainError;
-pub use geotiff::is_tiff;
 use error::check;
+pub use geotiff::is_tiff;
 use surface::{mirrored, period, surface_f32, surface_f64};
 
 /// The text of the WGSL twin. It needs `math.wgsl` and a function `terrain_load(index: i32) -> f32` from its host.
@@ -83,7 +83,16 @@ impl Terrain {
     /// Level ground everywhere; a height \[m\] that is not finite becomes 0.
     pub fn flat(height: f32) -> Self {
         let height = if height.is_finite() { height } else { 0.0 };
-        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2], inverse_spacing: [1.0; 2], filled: 0, detail: Detail::NONE }
+        Self {
+            heights: vec![height],
+            columns: 1,
+            rows: 1,
+            spacing: [1.0; 2],
+            corner: [0.0; 2],
+            inverse_spacing: [1.0; 2],
+            filled: 0,
+            detail: Detail::NONE,
+        }
     }
 
     /// A terrain from `columns × rows` heights \[m\] (row-major, columns along +x), their `spacing` in x and z \[m\] and

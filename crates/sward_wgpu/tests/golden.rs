@@ -18,6 +18,7 @@ fn main() -> std::process::ExitCode {
         ("pictures_tell_what_matters", views::pictures_tell_what_matters),
         ("far_from_home", views::far_from_home),
         ("joints_stay_above_ground", views::joints_stay_above_ground),
+        ("joints_stay_above_bumps", views::joints_stay_above_bumps),
         ("far_plants_need_one_segment", views::far_plants_need_one_segment),
     ];
     // Every hardware driver draws its own picture, so stored ones are for software drivers.

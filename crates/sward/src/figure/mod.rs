@@ -56,7 +56,7 @@ pub struct FigureVertex {
     pub normal: [f32; 3],
     /// Linear RGB, and 1 where the body's own paint replaces it (no material), else 0.
     pub colour: [f32; 4],
-    /// Roughness and gloss, as in [`crate::figure`]'s meshes: 0 mirror to 1 chalk; mirror share seen straight on.
+    /// Roughness, 0 mirror to 1 chalk, and gloss, the mirror share seen straight on.
     pub surface: [f32; 2],
     /// Frames it follows.
     pub frames: [u16; 4],
@@ -105,7 +105,8 @@ impl Figure {
         let likeness = |other: &str| strsim::jaro_winkler(&name.to_lowercase(), &other.to_lowercase());
         let nearest = names.iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b))).filter(|other| likeness(other) > 0.7);
         let guess = nearest.map_or_else(String::new, |near| format!("did you mean `{near}`? "));
-        let known = if names.is_empty() { "the file has none: leave `clip` out".to_owned() } else { format!("known: {}", names.join(", ")) };
+        let known =
+            if names.is_empty() { "the file has none: leave `clip` out".to_owned() } else { format!("known: {}", names.join(", ")) };
         Err(FigureError::Clip { asked: name.to_owned(), known: guess + &known })
     }
 

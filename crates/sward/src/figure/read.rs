@@ -25,8 +25,14 @@ fn too_many_triangles(found: u64) -> FigureError {
 pub(super) fn figure(opened: &Opened<'_>) -> Result<Figure, FigureError> {
     let tree = tree(&opened.root)?;
     let clips = Clip::all(opened, &tree)?;
-    let mut gathered = Gathered { opened, pictures: pictures(opened)?, frames: Vec::new(),
-        skins: BTreeMap::new(), vertices: Vec::new(), triangles: Vec::new() };
+    let mut gathered = Gathered {
+        opened,
+        pictures: pictures(opened)?,
+        frames: Vec::new(),
+        skins: BTreeMap::new(),
+        vertices: Vec::new(),
+        triangles: Vec::new(),
+    };
     for &node in &tree.shown {
         if let Some(mesh) = opened.root.nodes[node].mesh {
             gathered.mesh(node, mesh, &tree)?;
@@ -100,9 +106,7 @@ impl Gathered<'_> {
     /// Corners of the triangles of a primitive: strips and fans are opened, points and lines left out.
     fn corners(&self, primitive: &Primitive, count: usize, place: &str) -> Result<Vec<[u32; 3]>, FigureError> {
         let list: Vec<u32> = match primitive.indices {
-            Some(indices) => {
-                self.opened.integers::<1>(indices, 3 * MOST_TRIANGLES, place)?.into_iter().map(|[index]| index).collect()
-            }
+            Some(indices) => self.opened.integers::<1>(indices, 3 * MOST_TRIANGLES, place)?.into_iter().map(|[index]| index).collect(),
             None => (0..count as u32).collect(),
         };
         if let Some(index) = list.iter().find(|index| **index as usize >= count) {

@@ -2,9 +2,9 @@
 
 use glam::{DMat4, DQuat, DVec3};
 
+use super::MOST_NODES;
 use super::error::{FigureError, data};
 use super::json::{self, Root, at};
-use super::MOST_NODES;
 
 /// Where a node stands on its parent.
 #[derive(Clone, Copy, Debug, PartialEq)]

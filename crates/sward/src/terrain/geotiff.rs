@@ -79,7 +79,9 @@ impl Terrain {
         let known = |height: &f64| height.is_finite() && missing.is_none_or(|missing| *height != missing);
         let filled = fill(&mut heights, size[0] as usize, known)?;
         if let Some(height) = heights.iter().find(|height| !(-HIGHEST..=HIGHEST).contains(&(**height * place.unit))) {
-            return Err(bad(format!("holds a height of {height}, allowed are -1000000 to 1000000 m; if it means `no data`, say so (gdal_translate -a_nodata {height})")));
+            return Err(bad(format!(
+                "holds a height of {height}, allowed are -1000000 to 1000000 m; if it means `no data`, say so (gdal_translate -a_nodata {height})"
+            )));
         }
         if place.upside_down {
             heights = heights.chunks_exact(size[0] as usize).rev().flatten().copied().collect();

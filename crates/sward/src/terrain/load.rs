@@ -33,13 +33,7 @@ impl Terrain {
 }
 
 /// A grid of scaled heights, `spacing` \[m\] before scaling, its middle at `offset`.
-pub(super) fn placed(
-    heights: Vec<f32>,
-    size: [u32; 2],
-    spacing: [f64; 2],
-    scale: f64,
-    offset: [f64; 2],
-) -> Result<Terrain, TerrainError> {
+pub(super) fn placed(heights: Vec<f32>, size: [u32; 2], spacing: [f64; 2], scale: f64, offset: [f64; 2]) -> Result<Terrain, TerrainError> {
     let spacing = spacing.map(|metres| metres * scale);
     let corner = [0, 1].map(|axis| offset[axis] - f64::from(size[axis] - 1) * 0.5 * spacing[axis]);
     Terrain::new(heights, size[0], size[1], spacing, corner)

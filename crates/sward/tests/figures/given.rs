@@ -103,7 +103,8 @@ fn tori_keep_their_holes() {
     let figure = read("torus_pair", 24);
     let points = positions(&figure);
     let frames = figure.pose(None, 0.0);
-    let inside = |at: glam::DVec3| figure.parts.iter().any(|part| outside(part, frames[part.frame as usize].inverse().transform_point3(at)) < 0.0);
+    let inside =
+        |at: glam::DVec3| figure.parts.iter().any(|part| outside(part, frames[part.frame as usize].inverse().transform_point3(at)) < 0.0);
     let (mut solid, mut empty) = (0, 0);
     for k in 0..20_000_u32 {
         let part = |purpose| f64::from(sward::math::unit(sward::math::hash(5, 0, 0, k, purpose))) * 2.6 - 1.3;
@@ -124,9 +125,11 @@ fn tori_keep_their_holes() {
 }
 
 fn given_figures_walk() {
-    for (file, scale, clip, left, right) in
-        [("knight", 0.7, "Walking_A", "foot.l", "foot.r"), ("fox", 0.007, "Walk", "LeftFoot", "RightFoot"), ("robot", 1.0, "walk", "leg-left", "leg-right")]
-    {
+    for (file, scale, clip, left, right) in [
+        ("knight", 0.7, "Walking_A", "foot.l", "foot.r"),
+        ("fox", 0.007, "Walk", "LeftFoot", "RightFoot"),
+        ("robot", 1.0, "walk", "leg-left", "leg-right"),
+    ] {
         let world = world(&format!("(shape: Mesh(file: \"{file}.glb\", scale: {scale}, clip: \"{clip}\"))"));
         let body = world.model.bodies[0].figure.as_ref().expect("a figure");
         let length = body.figure.clips.iter().find(|known| known.name == clip).map(|clip| clip.end - clip.begin).expect("a clip");
@@ -136,7 +139,12 @@ fn given_figures_walk() {
                 node.name.to_lowercase().contains(&name.to_lowercase())
             });
             found.unwrap_or_else(|| {
-                let names: Vec<&str> = body.figure.parts.iter().map(|part| body.figure.nodes[body.figure.frames[part.frame as usize].node as usize].name.as_str()).collect();
+                let names: Vec<&str> = body
+                    .figure
+                    .parts
+                    .iter()
+                    .map(|part| body.figure.nodes[body.figure.frames[part.frame as usize].node as usize].name.as_str())
+                    .collect();
                 panic!("{file} has no part {name}: {names:?}")
             })
         };
@@ -168,7 +176,10 @@ fn every_clip_plays() {
             let moved = first.vertices.iter().zip(&later.vertices).filter(|(a, b)| a.position != b.position).count();
             assert!(moved > 0 || clip.name == "static", "{file}, {}: nothing moves", clip.name);
             for vertex in later.vertices {
-                assert!(vertex.position.iter().all(|part| part.abs() < 5.0) && Vec3::from(vertex.normal).is_normalized(), "{file}: {vertex:?}");
+                assert!(
+                    vertex.position.iter().all(|part| part.abs() < 5.0) && Vec3::from(vertex.normal).is_normalized(),
+                    "{file}: {vertex:?}"
+                );
             }
             clips += 1;
         }

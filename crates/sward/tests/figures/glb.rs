@@ -172,7 +172,8 @@ pub(crate) fn post() -> Glb {
         }
     }
     let joints: Vec<u8> = (0..20).flat_map(|_| [0, 1, 0, 0]).collect();
-    let weights: Vec<f32> = (0..20).flat_map(|k| [[1.0, 0.0], [1.0, 0.0], [0.5, 0.5], [0.0, 1.0], [0.0, 1.0]][k / 4].into_iter().chain([0.0, 0.0])).collect();
+    let weights: Vec<f32> =
+        (0..20).flat_map(|k| [[1.0, 0.0], [1.0, 0.0], [0.5, 0.5], [0.0, 1.0], [0.0, 1.0]][k / 4].into_iter().chain([0.0, 0.0])).collect();
     let joints = glb.accessor(&joints, 5121, "VEC4", 20);
     let weights = glb.floats(&weights, "VEC4");
     let mesh = glb.mesh(&positions, &triangles, json!({"JOINTS_0": joints, "WEIGHTS_0": weights}));

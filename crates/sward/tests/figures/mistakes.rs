@@ -36,7 +36,10 @@ const MISTAKES: &[Mistake] = &[
     (|json| json["scenes"][0]["nodes"] = json!([99]), "scenes points to nodes[99], but there are 3"),
     (|json| json["nodes"][0]["children"] = json!([0]), "nodes[0] is its own ancestor"),
     (|json| (json["nodes"][0]["children"], json["nodes"][1]["children"]) = (json!([1]), json!([0])), "is its own ancestor"),
-    (|json| (json["nodes"][0]["children"], json["nodes"][1]["children"]) = (json!([2]), json!([2])), "is a child of nodes[0] and of nodes[1]"),
+    (
+        |json| (json["nodes"][0]["children"], json["nodes"][1]["children"]) = (json!([2]), json!([2])),
+        "is a child of nodes[0] and of nodes[1]",
+    ),
     (|json| json["nodes"][0]["mesh"] = json!(7), "nodes[0] points to meshes[7]"),
     (|json| json["nodes"][0]["mesh"] = json!(-1), "JSON"),
     (|json| json["nodes"][0]["scale"] = json!([1e300, 1, 1]), "nodes[0] stands at numbers beyond"),
@@ -110,7 +113,11 @@ fn broken_containers_are_explained() {
     let mut many = Glb::new();
     let mesh = many.mesh(&positions, &triangles, json!({}));
     (0..600).for_each(|_| _ = many.top(json!({"mesh": mesh})));
-    assert!(message(&many.bytes()).contains("joints and nodes with a mesh, at most 512 are read; join objects"), "{}", message(&many.bytes()));
+    assert!(
+        message(&many.bytes()).contains("joints and nodes with a mesh, at most 512 are read; join objects"),
+        "{}",
+        message(&many.bytes())
+    );
     let indices = many.accessor(&vec![0; 3 * 1_000_001], 5121, "SCALAR", 3 * 1_000_001);
     many.json["meshes"][mesh]["primitives"][0]["indices"] = json!(indices);
     assert!(message(&many.bytes()).contains("at most 3000000 are read"), "{}", message(&many.bytes()));

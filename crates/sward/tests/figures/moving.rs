@@ -96,9 +96,13 @@ fn clips_repeat_or_hold() {
     let figure = moved("translation", "LINEAR", &[1.0, 3.0], &[0.0, 0.0, 0.0, 2.0, 0.0, 0.0]);
     let clip = &figure.clips[0];
     assert_eq!((clip.begin, clip.end), (1.0, 3.0));
-    for (elapsed, speed, start, round, once) in
-        [(0.0, 1.0, 0.0, 1.0, 1.0), (2.5, 1.0, 0.0, 1.5, 3.0), (0.5, 2.0, 0.5, 2.5, 2.5), (0.5, -1.0, 0.0, 2.5, 1.0), (1e6, 1.0, 0.25, 1.25, 3.0)]
-    {
+    for (elapsed, speed, start, round, once) in [
+        (0.0, 1.0, 0.0, 1.0, 1.0),
+        (2.5, 1.0, 0.0, 1.5, 3.0),
+        (0.5, 2.0, 0.5, 2.5, 2.5),
+        (0.5, -1.0, 0.0, 2.5, 1.0),
+        (1e6, 1.0, 0.25, 1.25, 3.0),
+    ] {
         assert_eq!(clip.time(elapsed, speed, start, true), round, "{elapsed} s on");
         assert_eq!(clip.time(elapsed, speed, start, false), once, "{elapsed} s on, once");
     }
@@ -126,13 +130,15 @@ fn skins_follow_their_joints() {
     assert!((far - 1.0).abs() < 1e-5, "the tip reaches {far} m ahead");
     let still = figure_mesh(body, 0.0);
     // The middle ring at 1 m follows both joints by half: its edges are half way between staying and lying down.
-    let ring: Vec<f32> = still.vertices.iter().zip(&mesh.vertices).filter(|(a, _)| a.position[1] == 1.0).map(|(_, b)| b.position[2]).collect();
+    let ring: Vec<f32> =
+        still.vertices.iter().zip(&mesh.vertices).filter(|(a, _)| a.position[1] == 1.0).map(|(_, b)| b.position[2]).collect();
     assert!(ring.len() >= 4 && ring.iter().all(|z| (z.abs() - 0.05).abs() < 1e-5), "{ring:?}");
     assert!(still.vertices.iter().zip(&mesh.vertices).any(|(a, b)| a.position != b.position));
     assert!(mesh.vertices.iter().all(|vertex| (glam::Vec3::from(vertex.normal).length() - 1.0).abs() < 1e-4));
 }
 
-const WALK: &str = "(shape: Mesh(file: \"walker.glb\", pieces: 1, clip: \"Walk\"), path: Keyframes(keys: [(time: 0, at: (0, 0)), (time: 4, at: (0, 4))]))";
+const WALK: &str =
+    "(shape: Mesh(file: \"walker.glb\", pieces: 1, clip: \"Walk\"), path: Keyframes(keys: [(time: 0, at: (0, 0)), (time: 4, at: (0, 4))]))";
 
 /// Heights of the left and the right foot during the last step.
 fn feet(world: &World) -> [f64; 2] {

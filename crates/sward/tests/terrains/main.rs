@@ -37,9 +37,14 @@ fn all_kinds_of_samples_are_read() {
     for (kind, bytes) in kinds {
         assert!(is_tiff(&bytes) && !is_tiff(b"\x89PNG"));
         let terrain = good(&bytes);
-        let expected: Vec<f32> = if kind.starts_with('u') { vec![0.0, 0.0, 2.0, 100.0, 7.0, 5.0] } else { heights.map(|h| h as f32).to_vec() };
+        let expected: Vec<f32> =
+            if kind.starts_with('u') { vec![0.0, 0.0, 2.0, 100.0, 7.0, 5.0] } else { heights.map(|h| h as f32).to_vec() };
         assert_eq!(terrain.heights(), expected, "{kind}");
-        assert_eq!((terrain.columns(), terrain.rows(), terrain.spacing(), terrain.corner()), (3, 2, [10.0, 20.0], [-10.0, -10.0]), "{kind}");
+        assert_eq!(
+            (terrain.columns(), terrain.rows(), terrain.spacing(), terrain.corner()),
+            (3, 2, [10.0, 20.0], [-10.0, -10.0]),
+            "{kind}"
+        );
     }
 }
 
@@ -56,7 +61,10 @@ fn degrees_become_metres_at_their_latitude() {
     for (latitude, east, north) in [(0.0, 111_319.49, 110_574.28), (45.0, 78_846.81, 111_131.78), (-60.0, 55_800.0, 111_412.24)] {
         let tiff = Tiff::new(4, 4).pixel(0.01, 0.01).tie(7.0, latitude + 0.02).keys(GEOGRAPHIC);
         let spacing = good(&float(tiff, &[0.0; 16])).spacing();
-        assert!((spacing[0] / (0.01 * east) - 1.0).abs() < 1e-5 && (spacing[1] / (0.01 * north) - 1.0).abs() < 1e-5, "{latitude}: {spacing:?}");
+        assert!(
+            (spacing[0] / (0.01 * east) - 1.0).abs() < 1e-5 && (spacing[1] / (0.01 * north) - 1.0).abs() < 1e-5,
+            "{latitude}: {spacing:?}"
+        );
     }
     assert!(message(&float(Tiff::new(4, 4).pixel(0.01, 0.01).keys(GEOGRAPHIC), &[0.0; 16])).contains("at which latitude"));
     let mercator = Tiff::new(4, 4).pixel(30.0, 30.0).tie(0.0, 6e6).keys(MERCATOR);

@@ -109,7 +109,11 @@ impl BodyPass {
             gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
         };
         self.meshes.push(MeshBuffers {
-            vertices: init("mesh vertices", bytemuck::cast_slice(&mesh.vertices), wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST),
+            vertices: init(
+                "mesh vertices",
+                bytemuck::cast_slice(&mesh.vertices),
+                wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+            ),
             indices: init("mesh indices", bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX),
             count: mesh.indices.len() as u32,
         });
