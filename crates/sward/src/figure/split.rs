@@ -135,7 +135,8 @@ fn best_cut(part: &Part, size: [i32; 3], directions: &[[i32; 3]]) -> Option<(usi
         };
         (low + 1..=high).step_by(2).for_each(|at| _ = consider(at));
         if let Some((_, at)) = consider(low) {
-            (consider(at - 1), consider(at + 1));
+            consider(at - 1);
+            consider(at + 1);
         }
         if let Some((cost, at)) = own
             && best.is_none_or(|(least, ..)| cost < least)
