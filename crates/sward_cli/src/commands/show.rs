@@ -91,7 +91,7 @@ fn terrain(opened: &Opened, world: &World) -> String {
     };
     let detail = match &opened.scene.detail {
         None => String::new(),
-        Some(detail) => format!("; bumps up to {} m, {} m apart", detail.amplitude, detail.wavelength),
+        Some(detail) => format!("; bumps {} m high, {} m apart", detail.amplitude, detail.wavelength),
     };
     ground + &filled + &detail
 }
