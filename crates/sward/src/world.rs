@@ -67,7 +67,28 @@ impl World {
 
     /// The scene's camera at the time of the state.
     pub fn camera(&self) -> View {
-        View::of(&self.scene, &self.model, &self.state, self.time())
+        self.camera_before(0.0)
+    }
+
+    /// How many steps, 0 to 1, the moment to be shown lies before the state, for a caller of [`World::advance`]: what is on the screen
+    /// then moves evenly at any rate of frames, one step late.
+    pub fn behind(&self) -> f64 {
+        (1.0 - self.state.pending_seconds / self.model.dt).clamp(0.0, 1.0)
+    }
+
+    /// The camera `behind` steps (0 to 1) before the state.
+    pub fn camera_before(&self, behind: f64) -> View {
+        let scene = &self.scene;
+        let followed = scene.camera.follow.as_ref().and_then(|name| scene.interactors.iter().position(|body| &body.name == name));
+        let pose = followed.and_then(|body| self.pose_before(body, behind));
+        View::of(scene, &self.model, pose, self.time() - behind * self.model.dt)
+    }
+
+    /// Where a body is `behind` steps (0 to 1) before the state; `None` while it is away.
+    pub fn pose_before(&self, body: usize, behind: f64) -> Option<Pose> {
+        let state = self.state.bodies.get(body)?;
+        let (before, pose) = (state.before?, state.pose?);
+        Some(if behind > 0.0 { pose.towards(&before, behind) } else { pose })
     }
 
     /// One fixed step on the CPU.
@@ -181,7 +202,13 @@ impl World {
 
     /// The wind of the coming step on the nodes of a stand.
     pub fn wind(&self, stand: &StandModel) -> WindField {
-        WindField::at(&self.model.sources, self.state.step, self.model.dt, stand.spacing * f64::from(continuum::NODE_CELLS))
+        self.wind_before(stand, 0.0)
+    }
+
+    /// The wind `behind` steps (0 to 1) before the state.
+    pub fn wind_before(&self, stand: &StandModel, behind: f64) -> WindField {
+        let node = stand.spacing * f64::from(continuum::NODE_CELLS);
+        WindField::before(&self.model.sources, self.state.step, behind, self.model.dt, node)
     }
 
     fn pose(&self, index: usize, time: f64) -> Option<Pose> {

@@ -74,16 +74,25 @@ impl Studio {
     /// # Errors
     /// What the device reports.
     pub fn draw(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, size: [u32; 2]) -> Result<Picture, GpuError> {
+        self.draw_before(gpu, world, cells, 0.0, size)
+    }
+
+    /// Draws the moment `behind` steps (0 to 1) before the state: see [`World::behind`].
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn draw_before(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64, size: [u32; 2]) -> Result<Picture, GpuError> {
         if matches!(cells, CellsAt::Cpu) {
             for (buffers, state) in self.uploaded.iter_mut().zip(&world.state.stands) {
                 buffers.reserve(gpu, state, world.model.terrain.is_flat())?;
                 buffers.upload(gpu, state);
             }
         }
-        let view = world.camera();
+        let behind = behind.clamp(0.0, 1.0);
+        let view = world.camera_before(behind);
         let side = world.model.patch_side;
         let origin = view.focus().map(|metres| (metres / side).floor() as i32);
-        let plans = self.prepare_plants(gpu, world, &cells, &view, origin);
+        let plans = self.prepare_plants(gpu, world, &cells, (&view, behind), origin);
         let mut batches = Vec::new();
         // Near plants of all stands, then plain ones: near to far.
         for plain in 0..2 {
@@ -97,8 +106,8 @@ impl Studio {
             }
         }
         let to_frame = Frame { corner: origin.map(|patch| f64::from(patch) * side) };
-        let bodies = self.bodies(world, &to_frame);
-        let input = to_frame.input(world, &view, &bodies);
+        let bodies = self.bodies(world, &to_frame, behind);
+        let input = to_frame.input(world, (&view, behind), &bodies);
         self.renderer.draw(gpu, &input, &PlantDraws { batches: &batches }, size)?;
         self.renderer.read(gpu)
     }
@@ -109,7 +118,14 @@ impl Studio {
     }
 
     /// Fills the batches; returns the number of plants in each.
-    fn prepare_plants(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt, view: &View, origin: PatchKey) -> Vec<[u32; 2]> {
+    fn prepare_plants(
+        &mut self,
+        gpu: &Gpu,
+        world: &World,
+        cells: &CellsAt,
+        (view, behind): (&View, f64),
+        origin: PatchKey,
+    ) -> Vec<[u32; 2]> {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let share = world.scene.budget.visible_plants / (world.model.stands.len().max(1) as u32);
         let mut filled = Vec::new();
@@ -122,7 +138,7 @@ impl Studio {
             };
             for (plain, batch) in plans.iter().enumerate() {
                 let buffers = &mut self.batches[index][plain];
-                let seen = (view, origin, fullness);
+                let seen = (view, origin, fullness, behind);
                 self.prepare.record(gpu, &mut encoder, world, stand, batch, plain == 1, seen, look, stored, buffers);
             }
             filled.push([plans[0].plants, plans[1].plants]);
@@ -131,12 +147,12 @@ impl Studio {
         filled
     }
 
-    fn bodies(&self, world: &World, frame: &Frame) -> Vec<BodyDraw> {
+    fn bodies(&self, world: &World, frame: &Frame, behind: f64) -> Vec<BodyDraw> {
         let mut draws = Vec::new();
-        for (index, (mesh, state)) in self.meshes.iter().zip(&world.state.bodies).enumerate() {
-            if let (Some(mesh), Some(pose)) = (mesh, &state.pose) {
+        for (index, mesh) in self.meshes.iter().enumerate() {
+            if let (Some(mesh), Some(pose)) = (mesh, world.pose_before(index, behind)) {
                 let ground = world.model.terrain.height_at(pose.ground[0], pose.ground[1]) as f32;
-                draws.push(BodyDraw { mesh: *mesh, transform: frame.transform(pose), paint: PAINTS[index % PAINTS.len()], ground });
+                draws.push(BodyDraw { mesh: *mesh, transform: frame.transform(&pose), paint: PAINTS[index % PAINTS.len()], ground });
             }
         }
         draws
@@ -163,7 +179,7 @@ impl Frame {
         Mat4::from_translation(self.point([pose.ground[0], pose.height, pose.ground[1]])) * Mat4::from_mat3(axes)
     }
 
-    fn input<'a>(&self, world: &World, view: &View, bodies: &'a [BodyDraw]) -> FrameInput<'a> {
+    fn input<'a>(&self, world: &World, (view, behind): (&View, f64), bodies: &'a [BodyDraw]) -> FrameInput<'a> {
         let light = &world.scene.light;
         let (eye, target) = (self.point(view.eye), self.point(view.target));
         // Shadows are wanted where one looks, but not farther than they would be seen.
@@ -184,7 +200,7 @@ impl Frame {
                 clouds: light.clouds,
             },
             bodies,
-            time: world.time(),
+            time: world.time() - behind * world.model.dt,
         }
     }
 }

@@ -19,6 +19,7 @@ fn main() -> std::process::ExitCode {
         ("far_from_home", views::far_from_home),
         ("joints_stay_above_ground", views::joints_stay_above_ground),
         ("far_plants_need_one_segment", views::far_plants_need_one_segment),
+        ("pictures_between_steps", views::pictures_between_steps),
     ];
     // Every hardware driver draws its own picture, so stored ones are for software drivers.
     adapter::run(tests, |gpu, name| name.starts_with("golden_") && gpu.adapter_info.device_type != wgpu::DeviceType::Cpu)

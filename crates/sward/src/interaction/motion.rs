@@ -17,6 +17,20 @@ pub struct Pose {
     pub slope: [f64; 2],
 }
 
+impl Pose {
+    /// The pose a `share` of the way to `later`, 0 to 1: straight, turning the shorter way.
+    pub fn towards(&self, later: &Self, share: f64) -> Self {
+        let mix = |a: f64, b: f64| a + (b - a) * share;
+        let both = |a: [f64; 2], b: [f64; 2]| [mix(a[0], b[0]), mix(a[1], b[1])];
+        Self {
+            ground: both(self.ground, later.ground),
+            yaw: self.yaw + math::wrapped_angle(later.yaw - self.yaw) * share,
+            height: mix(self.height, later.height),
+            slope: both(self.slope, later.slope),
+        }
+    }
+}
+
 /// Position, yaw and clearance on a path before it meets the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Station {

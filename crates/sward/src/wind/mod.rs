@@ -71,6 +71,11 @@ impl WindField {
     /// The sum of `sources` at step number `step` of `dt` seconds, for nodes `node_spacing` metres apart.
     /// A source with a number that is not finite is left out.
     pub fn at(sources: &[Source], step: u64, dt: f64, node_spacing: f64) -> Self {
+        Self::before(sources, step, 0.0, dt, node_spacing)
+    }
+
+    /// [`WindField::at`] some share of a step earlier: `behind` steps, for pictures of a moment between two steps.
+    pub fn before(sources: &[Source], step: u64, behind: f64, dt: f64, node_spacing: f64) -> Self {
         let mut mean = [0.0; 2];
         let mut octaves = Vec::new();
         for (index, source) in sources.iter().enumerate() {
@@ -82,7 +87,7 @@ impl WindField {
                 continue;
             }
             mean = [mean[0] + velocity[0], mean[1] + velocity[1]];
-            octaves.extend(noise::gusts(velocity, turbulence, index as u32, step, dt, node_spacing));
+            octaves.extend(noise::gusts(velocity, turbulence, index as u32, (step, behind), dt, node_spacing));
         }
         let dropped = octaves.len().saturating_sub(MAX_OCTAVES);
         if dropped > 0 {

@@ -22,8 +22,10 @@ use crate::scenes::{self, Opened};
 
 /// A picture to take.
 pub(crate) struct Shot {
-    /// Steps done at that moment.
+    /// The first step not before that moment.
     step: u64,
+    /// How much of a step the moment lies before it.
+    behind: f64,
     /// Where it goes.
     path: PathBuf,
 }
@@ -51,14 +53,17 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
         Some(frames) => {
             let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}_frames", opened.name)));
             output::folder(&folder, true)?;
-            let shot = |frame| Shot { step: step_of(frame, arguments.fps, rate), path: folder.join(format!("frame_{frame:04}.png")) };
+            let shot = |frame| {
+                let (step, behind) = moment(f64::from(frame) * f64::from(rate) / f64::from(arguments.fps));
+                Shot { step, behind, path: folder.join(format!("frame_{frame:04}.png")) }
+            };
             (frames.clone().map(shot).collect(), Some(folder.clone()), folder)
         }
     };
     let done = draw(&opened, &shots, folder.as_deref(), arguments.size, arguments.on, console)?;
     let [width, height] = arguments.size;
     let what = match (shots.len(), shots.last()) {
-        (1, Some(shot)) => format!("at {:.2} s", shot.step as f64 / f64::from(rate)),
+        (1, Some(shot)) => format!("at {:.2} s", (shot.step as f64 - shot.behind) / f64::from(rate)),
         (frames, _) => format!("{frames} frames"),
     };
     let (place, Done { adapter, on, seconds }) = (place.display(), done);
@@ -67,14 +72,15 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
 
 /// One picture at `time` in seconds, or at the scene's own moment.
 pub(crate) fn single(opened: &Opened, time: Option<f64>, path: PathBuf) -> Shot {
-    let steps = time.unwrap_or(opened.time) * f64::from(opened.scene.steps_per_second);
-    Shot { step: steps.round() as u64, path }
+    let (step, behind) = moment(time.unwrap_or(opened.time) * f64::from(opened.scene.steps_per_second));
+    Shot { step, behind, path }
 }
 
-/// The step nearest to a frame's time.
-fn step_of(frame: u32, fps: u32, rate: u32) -> u64 {
-    let (frame, fps, rate) = (u64::from(frame), u64::from(fps), u64::from(rate));
-    (2 * frame * rate + fps) / (2 * fps)
+/// The first whole step not before a moment given in steps, and how far before it that lies.
+fn moment(steps: f64) -> (u64, f64) {
+    // Decimal seconds are seldom whole steps to the last digit.
+    let near = steps.round();
+    if (steps - near).abs() < 1e-6 { (near as u64, 0.0) } else { (steps.ceil() as u64, steps.ceil() - steps) }
 }
 
 /// Takes the shots, which are in order of time. Makes `folder` once everything that can be checked has been.
@@ -104,7 +110,7 @@ pub(crate) fn draw(
     let mut progress = Progress::new(steps + shots.len() as u64, "steps and pictures", console);
     for shot in shots {
         advance_to(&mut world, shot.step, &mut backend, &mut progress)?;
-        let picture = studio.draw(&gpu, &world, backend.cells(), size)?;
+        let picture = studio.draw_before(&gpu, &world, backend.cells(), shot.behind, size)?;
         output::write_whole(&shot.path, |writer| write_png(writer, &picture))?;
         progress.advance();
     }
@@ -129,12 +135,12 @@ fn write_png(writer: &mut BufWriter<File>, picture: &Picture) -> std::io::Result
 
 #[cfg(test)]
 mod tests {
-    use super::step_of;
+    use super::moment;
 
     #[test]
-    fn frames_are_drawn_at_the_nearest_step() {
-        assert_eq!([0, 1, 2, 90].map(|frame| step_of(frame, 30, 60)), [0, 2, 4, 180]);
-        assert_eq!([0, 1, 2, 3].map(|frame| step_of(frame, 24, 60)), [0, 3, 5, 8]);
-        assert_eq!([0, 1, 2, 3].map(|frame| step_of(frame, 120, 60)), [0, 1, 1, 2]);
+    fn frames_between_steps_are_drawn_between_steps() {
+        assert_eq!([0, 1, 2, 90].map(|frame| moment(f64::from(frame) * 60.0 / 30.0)), [(0, 0.0), (2, 0.0), (4, 0.0), (180, 0.0)]);
+        assert_eq!([0, 1, 2, 3].map(|frame| moment(f64::from(frame) * 60.0 / 24.0)), [(0, 0.0), (3, 0.5), (5, 0.0), (8, 0.5)]);
+        assert_eq!(moment(6.2 * 60.0), (372, 0.0));
     }
 }

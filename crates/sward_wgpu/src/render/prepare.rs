@@ -51,8 +51,12 @@ pub struct PrepareUniform {
     pub wind_response: f32,
     /// Share of plants drawn up to `full`.
     pub fullness: f32,
-    /// Keeps the size a multiple of 16 bytes.
-    pub unused: [f32; 2],
+    /// Steps, 0 to 1, that the picture lies before the state.
+    pub behind: f32,
+    /// Substeps of the wave: the time level before is one of them ago.
+    pub substeps: f32,
+    /// Gains of `billboard_earlier`.
+    pub lag: [f32; 4],
 }
 
 /// `PatchDraw` of `prepare.wgsl`.
@@ -287,7 +291,7 @@ impl PreparePass {
         stand: &StandModel,
         batch: &BatchPlan,
         plain: bool,
-        view: (&View, PatchKey, f64),
+        view: (&View, PatchKey, f64, f64),
         look: &Look,
         cells: &CellBuffers,
         buffers: &mut BatchBuffers,
@@ -297,7 +301,7 @@ impl PreparePass {
         if batch.draws.is_empty() {
             return;
         }
-        let (view, origin, fullness) = view;
+        let (view, origin, fullness, behind) = view;
         let side = world.model.patch_side;
         let billboard = &stand.species.billboard;
         buffers.reserve(gpu, batch.plants, drawn + 1);
@@ -321,16 +325,18 @@ impl PreparePass {
             width: billboard.width,
             wind_response: stand.species.continuum.wind,
             fullness: fullness as f32,
-            unused: [0.0; 2],
+            behind: behind as f32,
+            substeps: stand.substeps as f32,
+            lag: stand.lag.past(),
         };
         let made = |label: &str, contents: &[u8], usage| {
             gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
         };
         let uniform = made("prepare", bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM);
-        let wind = world.wind(stand).block(stand.cells / sward::response::continuum::NODE_CELLS);
+        let wind = world.wind_before(stand, behind).block(stand.cells / sward::response::continuum::NODE_CELLS);
         let wind = made("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
         let draws = made("patches to draw", bytemuck::cast_slice(&batch.draws), wgpu::BufferUsages::STORAGE);
-        let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &self.heights, &self.tile, plants, joints];
+        let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &self.heights, &self.tile, plants, joints, &cells.old];
         let entries: Vec<wgpu::BindGroupEntry> = bound
             .iter()
             .enumerate()

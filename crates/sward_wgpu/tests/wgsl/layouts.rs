@@ -108,7 +108,9 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         width,
         wind_response,
         fullness,
-        unused
+        behind,
+        substeps,
+        lag
     });
     let draw = layout!(PatchDraw { offset, patch as "patch_index", anchor, weights, slots, lags, first, count });
     vec![
