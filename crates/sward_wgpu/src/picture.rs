@@ -72,7 +72,7 @@ impl Renderer {
         // Only the mapping is needed from here on; the samples live on the GPU.
         let renderer = Self {
             sky: SkyPass::new(gpu, &frame),
-            ground: GroundPass::new(gpu, &frame, &shadow, &relief, turf(&looks[0])),
+            ground: GroundPass::new(gpu, &frame, &shadow, &relief, turf(&looks)),
             bodies: BodyPass::new(gpu, &frame, &shadow),
             plants: PlantPass::new(gpu, &looks),
             resolve: Resolve::new(gpu),
@@ -166,12 +166,25 @@ impl Renderer {
     }
 }
 
-/// The ground takes the mean colour of the first look's plants.
-fn turf(look: &Look) -> TurfUniform {
-    let mean = sward::shading::clump::paint(look.kind, 0).mean();
-    TurfUniform {
-        root: [look.root[0], look.root[1], look.root[2], (look.dryness + mean[1]).min(1.0)],
-        tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
-        mean: [mean[0], look.cover(), look.fade[1], 0.0],
+/// The ground takes the colour of all plants on it, each by the share of ground it covers.
+fn turf(looks: &[Look]) -> TurfUniform {
+    let all: f32 = looks.iter().map(Look::cover).sum();
+    let mut turf = TurfUniform { root: [0.0; 4], tip: [0.0; 4], mean: [0.0; 4] };
+    for look in looks {
+        let mean = sward::shading::clump::paint(look.kind, 0).mean();
+        let share = if all > 0.0 { look.cover() / all } else { 1.0 / looks.len() as f32 };
+        let own = TurfUniform {
+            root: [look.root[0], look.root[1], look.root[2], (look.dryness + mean[1]).min(1.0)],
+            tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
+            mean: [mean[0], 0.0, 0.0, 0.0],
+        };
+        for k in 0..4 {
+            turf.root[k] += share * own.root[k];
+            turf.tip[k] += share * own.tip[k];
+            turf.mean[k] += share * own.mean[k];
+        }
     }
+    let most = |of: fn(&Look) -> f32| looks.iter().map(of).fold(0.0, f32::max);
+    (turf.mean[1], turf.mean[2]) = (most(Look::cover), most(|look| look.fade[1]));
+    turf
 }

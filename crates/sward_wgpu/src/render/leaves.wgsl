@@ -64,7 +64,8 @@ fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
     }
     // Far off only the tops of plants are seen, whatever part of a card covers the pixel: they melt into the canopy's colour.
     let far = smoothstep(0.25 * style.mean.w, 0.7 * style.mean.w, length(to_eye));
-    let along = leaf.card.z;
+    // The middle of a pixel may lie beyond the card's end.
+    let along = clamp(leaf.card.z, 0.0, 1.0);
     let heading = (texel.b - 0.5) * 2.6;
     var normal = normalize(leaf.facing * cos(heading) + leaf.across * sin(heading) + vec3<f32>(0.0, 0.18, 0.0));
     normal = normal * select(-1.0, 1.0, dot(normal, view) > 0.0);
