@@ -42,5 +42,5 @@ fn main() -> std::process::ExitCode {
         ("swapped_planes_are_found", controls::swapped_planes_are_found),
         ("hand_over", controls::hand_over),
     ];
-    adapter::run(tests, |_, _| false)
+    adapter::run(tests, |_, _| None)
 }

@@ -41,6 +41,7 @@ pub fn assembled() -> Vec<(&'static str, String)> {
         ("plants", assemble(&plant_pass::PARTS)),
         ("sky", assemble(&sky::PARTS)),
         ("resolve", assemble(&targets::PARTS)),
+        ("resolve, OpenGL", assemble(&targets::MEAN_PARTS)),
     ]
 }
 
