@@ -9,7 +9,7 @@ use crate::model::{Assets, Blower, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, patches_under};
 use crate::response::continuum;
 use crate::scene::{Beyond, Path, Scene, SceneError};
-use crate::state::{BodyState, NONE, PatchKey, State, Summary, TILE};
+use crate::state::{BodyState, NONE, PatchKey, StandState, State, Summary, TILE};
 use crate::view::View;
 use crate::wind::WindField;
 
@@ -46,18 +46,20 @@ impl World {
     pub fn new(scene: Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
         let scene = rebased(scene);
         let model = Model::compile(&scene, assets)?;
-        let mut state = State { bodies: vec![BodyState::default(); scene.interactors.len()], ..State::default() };
-        for stand in &model.stands {
-            let slots = 0..scene.budget.patches;
-            let lag_slots = 0..lag_capacity(&scene, stand);
-            state.stands.push(crate::state::StandState { free: slots.collect(), lag_free: lag_slots.collect(), ..Default::default() });
-        }
+        let state = State { bodies: vec![BodyState::default(); scene.interactors.len()], ..State::default() };
         let mut world = Self { scene, model, state, lanes: Lanes::default() };
+        world.state.stands = world.model.stands.iter().map(|stand| world.empty_stand(stand)).collect();
         for index in 0..world.state.bodies.len() {
             let pose = world.pose(index, 0.0);
             (world.state.bodies[index].pose, world.state.bodies[index].before) = (pose, pose);
         }
         Ok(world)
+    }
+
+    /// A stand that sleeps everywhere.
+    pub(crate) fn empty_stand(&self, stand: &StandModel) -> StandState {
+        let (slots, lag_slots) = (0..self.scene.budget.patches, 0..lag_capacity(&self.scene, stand));
+        StandState { free: slots.collect(), lag_free: lag_slots.collect(), ..Default::default() }
     }
 
     /// Time of the state, s.

@@ -1,11 +1,13 @@
 //! Where a body is at a time, and how it stands on the ground. f64 and our own functions throughout: the same on every machine.
 
+use serde::{Deserialize, Serialize};
+
 use crate::math;
 use crate::scene::{Interactor, Key, Path};
 use crate::terrain::Terrain;
 
 /// A body on the ground.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Centre, m from the authored origin (x, z).
     pub ground: [f64; 2],

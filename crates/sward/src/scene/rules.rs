@@ -28,9 +28,9 @@ pub(super) fn check(scene: &Scene) -> Checked {
 /// No more than the kernels have room for.
 fn footprints(sources: &[WindSource], trail: &Trail) -> Checked {
     let mut places = sources.iter().enumerate().filter(|(_, source)| matches!(source, WindSource::Footprint(_)));
-    match places.nth(crate::wind::MAX_FOOTPRINTS) {
+    match places.nth(super::wind::MAX_FOOTPRINTS) {
         Some((index, _)) => {
-            let message = format!("this is one `Footprint` more than {}", crate::wind::MAX_FOOTPRINTS);
+            let message = format!("this is one `Footprint` more than {}", super::wind::MAX_FOOTPRINTS);
             Err(Problem::at(trail.clone().index(index), message).help("remove one"))
         }
         None => Ok(()),

@@ -3,6 +3,9 @@
 use super::parameters::{choices, parameters};
 use super::path::{Path, Still};
 
+/// Most footprints of one scene: the kernels have room for no more.
+pub const MAX_FOOTPRINTS: usize = 8;
+
 choices! {
     /// Something that moves the air.
     pub enum WindSource {

@@ -10,8 +10,6 @@ const PARTS: i32 = 256;
 const FARTHEST: i32 = 1024;
 /// Place, in parts, of what is out of reach.
 const AWAY: i32 = i32::MAX / 2;
-/// Most footprints in one [`super::WindField`].
-pub const MAX_FOOTPRINTS: usize = 8;
 
 /// How the air moves under a footprint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

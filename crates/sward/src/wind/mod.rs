@@ -12,7 +12,8 @@ mod tests;
 mod tile;
 
 use crate::math::{atan, cbrt, upper};
-pub use footprint::{Flow, Footprint, Images, MAX_FOOTPRINTS};
+pub use crate::scene::MAX_FOOTPRINTS;
+pub use footprint::{Flow, Footprint, Images};
 pub use noise::Octave;
 use std::sync::Arc;
 pub use tile::{TILE_DEVIATION, TILE_SIDE, Tile};
