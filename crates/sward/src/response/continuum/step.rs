@@ -3,12 +3,12 @@
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use super::coefficients::safe_limit;
+use super::coefficients::{Coefficients, safe_limit};
 use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
 use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
 use super::rest::Rest;
 use crate::interaction::Contact;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Work};
 use crate::plan::{PatchPlan, StandPlan};
 use crate::response::StandModel;
 use crate::state::{Cells, Ground, NONE, PatchKey, Summary, TILE};
@@ -93,6 +93,39 @@ fn reserve(cells: &mut Cells, plan: &StandPlan, area: usize) {
     }
 }
 
+/// The wave of one patch.
+struct PatchWork<'a> {
+    co: &'a Coefficients,
+    side: usize,
+    wave: &'a Wave<'a>,
+    old: &'a mut [f32],
+}
+
+impl Work for PatchWork<'_> {
+    type Output = Summary;
+
+    #[inline(always)]
+    fn run(self) -> Summary {
+        step_patch(self.co, self.side, self.wave, self.old, &mut Scratch::default())
+    }
+}
+
+/// The cascade of one patch.
+struct CascadeWork<'a> {
+    lag: &'a LagCoefficients,
+    bend: [&'a [f32]; 2],
+    upper: &'a mut [f32],
+}
+
+impl Work for CascadeWork<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        cascade(self.lag, self.bend, self.upper);
+    }
+}
+
 /// contact → wave → limits of one stand; returns what activation wants to know of each patch. `cells.now` is one step on afterwards.
 pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut Cells, lanes: Lanes) -> Vec<(PatchKey, Summary)> {
     let side = stand.cells as usize;
@@ -128,7 +161,7 @@ pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut
                 held: &task.held,
                 keep: if last { task.plan.keep } else { 1.0 },
             };
-            let summary = lanes.run(|| step_patch(&stand.coefficients, side, &wave, old, &mut Scratch::default()));
+            let summary = lanes.run(PatchWork { co: &stand.coefficients, side, wave: &wave, old });
             (task.plan.patch, summary)
         });
         std::mem::swap(&mut cells.now, &mut cells.old);
@@ -174,7 +207,7 @@ pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64,
             history.chunks_exact_mut(area).enumerate().for_each(|(plane, out)| out.copy_from_slice(bend[plane % 2]));
         }
         match lag.kind {
-            0 => lanes.run(|| cascade(lag, bend, upper)),
+            0 => lanes.run(CascadeWork { lag, bend, upper }),
             1 => remember(stand, bend, upper, history, index),
             _ => look_up(stand, patch, now, upper),
         }
