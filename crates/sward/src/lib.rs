@@ -13,6 +13,7 @@ pub mod model;
 pub mod placement;
 pub mod plan;
 pub mod response;
+pub mod saved;
 pub mod scene;
 pub mod shading;
 pub mod state;

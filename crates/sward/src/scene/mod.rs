@@ -65,7 +65,7 @@ pub use shape::{BoxShape, Compound, Ellipsoid, Part, Polygon, Shape, Sphere};
 pub use stand::{Representation, Response, Species, Stand};
 pub use terrain::{Flat, Image, Terrain};
 pub use value::{FieldInfo, Value};
-pub use wind::{Natural, Uniform, WindSource};
+pub use wind::{Flow, FlowImage, Footprint, MAX_FOOTPRINTS, Natural, Uniform, WindSource};
 
 use parameters::parameters;
 

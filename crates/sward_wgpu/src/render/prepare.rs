@@ -274,11 +274,10 @@ impl PreparePass {
                 usage: wgpu::BufferUsages::STORAGE,
             })
         };
-        let tile = sward::wind::Tile::shipped();
         Self {
             pipeline,
             heights: storage("terrain", bytemuck::cast_slice(world.model.terrain.heights())),
-            tile: storage("wind tile", bytemuck::cast_slice(tile.texels())),
+            tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
         }
     }
 

@@ -79,6 +79,11 @@ fn rest_at_plant(draw: PatchDraw, local: vec2<f32>) -> vec2<f32> {
         let base = wind_patch_phase(octave, draw.patch_index, wind.intervals);
         velocity += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
     }
+    for (var k = 0u; k < wind.footprint_count; k++) {
+        let print = wind.footprints[k];
+        let base = wind_footprint_base(print, draw.patch_index, wind.intervals);
+        velocity += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
+    }
     return wind_equilibrium(velocity, prepare.wind_response);
 }
 

@@ -43,6 +43,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("CONTINUUM_OVER_THE_TOP", Source(BEND, "OVER_THE_TOP")),
         ("CONTINUUM_HOLDING", Source(BEND, "HOLDING")),
         ("BILLBOARD_CLEARANCE", Value(f64::from(billboard::CLEARANCE))),
+        ("WIND_TILE_TEXELS", Value((sward::wind::TILE_SIDE * sward::wind::TILE_SIDE) as f64)),
         ("NONE", Value(f64::from(state::NONE))),
     ]
 }
@@ -53,6 +54,9 @@ fn written_out() -> Vec<(&'static str, &'static str, f64)> {
         ("bend.wgsl", "math_atan(along), ", f64::from(continuum::SMALLEST_LIMIT)),
         ("shadows.wgsl", "texel = spread / ", f64::from(shadow::SIDE)),
         ("noise.wgsl", "octaves: array<WindOctave, ", sward::wind::MAX_OCTAVES as f64),
+        ("noise.wgsl", "footprints: array<WindFootprint, ", sward::wind::MAX_FOOTPRINTS as f64),
+        ("footprint.wgsl", "apart >= vec2<i32>(", 1024.0),
+        ("footprint.wgsl", "return vec2<i32>(", f64::from(i32::MAX / 2)),
         ("noise.wgsl", "(texel + 1u) & vec2<u32>(", f64::from(sward::wind::TILE_SIDE as u32 - 1)),
         ("noise.wgsl", "wind_tile_load(texel.y * ", f64::from(sward::wind::TILE_SIDE as u32)),
     ]

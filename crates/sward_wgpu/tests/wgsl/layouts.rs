@@ -6,7 +6,7 @@ use sward::interaction::{Contact, ContactEdge};
 use sward::placement::PlacementParameters;
 use sward::response::continuum::{Coefficients, LagCoefficients};
 use sward::terrain::{TerrainAnchor, TerrainGrid};
-use sward::wind::{Octave, WindBlock};
+use sward::wind::{Footprint, Octave, WindBlock};
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
 use sward_wgpu::render::frame::FrameUniform;
 use sward_wgpu::render::plants::Plant;
@@ -88,6 +88,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
     });
     let lag = layout!(LagCoefficients { segments, kind, gain_top, gain_recover, gamma_top, gamma_recover, ring, rate });
     let octave = layout!(Octave { step_x, step_z, phase, per_metre_x, per_metre_z, amplitude, reserved });
+    let print = layout!(Footprint { patch as "patch_index", centre, turn, radius, speed, part, kind, first, side });
     let stand =
         layout!(StandUniform { coefficients, lag, cells, nodes, gusty, level, rest, wind_response, height, frame, spacing, unused });
     let patch = layout!(AwakePatch {
@@ -119,7 +120,8 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("ContinuumCoefficients", step(), coefficients),
         ("LagCoefficients", step(), lag),
         ("WindOctave", step(), octave),
-        ("WindBlock", step(), layout!(WindBlock { mean, count, intervals, octaves })),
+        ("WindFootprint", step(), print),
+        ("WindBlock", step(), layout!(WindBlock { mean, count, intervals, octaves, footprint_count, unused, footprints })),
         ("Stand", step(), stand),
         ("AwakePatch", step(), patch),
         ("PlacementParameters", prepare(), parameters),

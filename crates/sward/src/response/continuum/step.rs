@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 
 use super::coefficients::safe_limit;
-use super::lag::{cascade, from_history, look_up_offset};
+use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
 use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
 use super::rest::Rest;
 use crate::interaction::Contact;
@@ -139,6 +139,12 @@ pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut
 /// The upper segments and the past of one lag slot.
 type Lagging<'a> = (&'a mut Box<[f32]>, &'a mut Box<[f32]>);
 
+/// Planes of upper segments, and of the past that `history` keeps, in one lag slot.
+pub fn lag_planes(lag: &LagCoefficients) -> [usize; 2] {
+    let upper = 2 * (lag.segments.max(1) as usize - 1);
+    [upper, if lag.kind == 1 && upper > 0 { 2 * lag.ring as usize } else { 0 }]
+}
+
 /// Upper segments of the patches that keep them, after [`step`]. `index` counts steps, for the ring of `history`.
 pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64, lanes: Lanes) {
     let lag = &stand.lag;
@@ -146,8 +152,7 @@ pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64,
         return;
     }
     let area = (stand.cells * stand.cells) as usize;
-    let upper = (lag.segments as usize - 1) * 2 * area;
-    let ring = if lag.kind == 1 { lag.ring as usize * 2 * area } else { 0 };
+    let [upper, ring] = lag_planes(lag).map(|planes| planes * area);
     for patch in plan.patches.iter().filter(|patch| patch.lag != NONE) {
         while cells.lag.len() <= patch.lag as usize {
             cells.lag.push(vec![0.0; upper].into_boxed_slice());
