@@ -2,10 +2,10 @@
 
 @group(0) @binding(1) var<storage, read> heights: array<f32>;
 
-// Reflection about the outermost samples.
+// Reflection about the outermost samples; about the first it is even, and OpenGL leaves the remainder of negative numbers open.
 fn heights_mirror(index: i32, count: i32) -> i32 {
     let period = max(2 * (count - 1), 1);
-    let wrapped = ((index % period) + period) % period;
+    let wrapped = abs(index) % period;
     return min(wrapped, period - wrapped);
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use sward::{geometry::billboard, response::continuum, state};
-use sward_wgpu::render::shadow;
+use sward_wgpu::render::{self, shadow};
 
 use crate::libraries::{core_sources, wgsl_files};
 
@@ -29,6 +29,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("SHADING_RAYLEIGH", Alone),
         ("SHADING_STRAW", Alone),
         ("PLANTS_MEAN_LIT", Alone),
+        ("RESOLVE_SAMPLES", Value(f64::from(render::SAMPLES))),
         ("CONTACT_BAND", Source("interaction/contact.rs", "BAND")),
         ("PLACEMENT_PRESENT", Source(PLACEMENT, "PRESENT")),
         ("PLACEMENT_PLACE_X", Source(PLACEMENT, "PLACE_X")),
