@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// Every module of the crate, earlier stages first; those of one line may know each other.
-const STAGES: [&[&str]; 13] = [
+const STAGES: [&[&str]; 14] = [
     &["math", "lanes"],
     &["scene"],
     &["terrain"],
@@ -17,6 +17,7 @@ const STAGES: [&[&str]; 13] = [
     &["shading"],
     &["model", "view"],
     &["world"],
+    &["picture"],
 ];
 
 /// Calls whose result depends on the machine, the compiler or the sign of zero.

@@ -3,12 +3,12 @@
 use std::mem::offset_of;
 
 use sward::interaction::{Contact, ContactEdge};
+use sward::picture::frame::FrameUniform;
 use sward::placement::PlacementParameters;
 use sward::response::continuum::{Coefficients, LagCoefficients};
 use sward::terrain::{TerrainAnchor, TerrainGrid};
 use sward::wind::{Octave, WindBlock};
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
-use sward_wgpu::render::frame::FrameUniform;
 use sward_wgpu::render::plants::Plant;
 use sward_wgpu::render::prepare::{PatchDraw, PrepareUniform};
 
