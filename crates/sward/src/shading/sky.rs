@@ -4,7 +4,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::common::{exp3 as fade, noise};
+use super::common::{exp3, noise};
 use crate::math::{atan2, exp, smoothstep};
 
 /// Radiance scale of the sun: irradiance outside the air, in the renderer's own unit.
@@ -19,6 +19,10 @@ fn air_mass(up: f32) -> f32 {
 
 fn mie(haze: f32) -> f32 {
     0.012 + 0.075 * haze
+}
+
+fn fade(depth: Vec3) -> Vec3 {
+    exp3(-depth)
 }
 
 /// Share of the sun's light that arrives through `share` (0..=1) of the air, for a sun whose direction has height `sun_up`.

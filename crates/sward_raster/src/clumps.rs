@@ -1,0 +1,150 @@
+//! Pictures of clumps with their smaller copies, and how they are read: bilinear, and linear between levels, clamped at the rim.
+
+use sward::shading::clump::{Kind, LEVELS, SIDE, VARIANTS, first_layer, paint};
+use sward::shading::look::Look;
+
+/// One level of one picture; alpha apart, since most places of a card are empty.
+#[derive(Default)]
+struct Level {
+    side: usize,
+    alpha: Vec<u8>,
+    paint: Vec<[u8; 4]>,
+}
+
+/// The four texels around a place, and how far it is from the first.
+struct Around {
+    at: [usize; 4],
+    way: [f32; 2],
+}
+
+impl Level {
+    #[inline]
+    fn around(&self, u: f32, v: f32) -> Around {
+        let last = (self.side - 1) as f32;
+        let place = |share: f32| (share * self.side as f32 - 0.5).clamp(0.0, last);
+        let (x, y) = (place(u), place(v));
+        let (column, row) = (x as usize, y as usize);
+        let (right, down) = ((column + 1).min(self.side - 1), (row + 1).min(self.side - 1));
+        let (top, bottom) = (row * self.side, down * self.side);
+        Around { at: [top + column, top + right, bottom + column, bottom + right], way: [x - column as f32, y - row as f32] }
+    }
+
+    #[inline]
+    fn alpha(&self, u: f32, v: f32) -> f32 {
+        let Around { at, way } = self.around(u, v);
+        let [a, b, c, d] = at.map(|texel| f32::from(self.alpha[texel]));
+        let (top, bottom) = (a + (b - a) * way[0], c + (d - c) * way[0]);
+        (top + (bottom - top) * way[1]) * (1.0 / 255.0)
+    }
+
+    #[inline]
+    fn paint(&self, u: f32, v: f32) -> [f32; 3] {
+        let Around { at, way } = self.around(u, v);
+        let texels = at.map(|texel| self.paint[texel]);
+        [0, 1, 2].map(|channel| {
+            let [a, b, c, d] = texels.map(|texel| f32::from(texel[channel]));
+            let (top, bottom) = (a + (b - a) * way[0], c + (d - c) * way[0]);
+            (top + (bottom - top) * way[1]) * (1.0 / 255.0)
+        })
+    }
+}
+
+/// One picture.
+pub(crate) struct Clump {
+    levels: Vec<Level>,
+}
+
+impl Clump {
+    fn new(kind: Kind, variant: u32) -> Self {
+        let level = |(index, bytes): (usize, &Vec<u8>)| Level {
+            side: (SIDE >> index).max(1),
+            alpha: bytes.chunks_exact(4).map(|texel| texel[3]).collect(),
+            paint: bytes.chunks_exact(4).map(|texel| [texel[0], texel[1], texel[2], texel[3]]).collect(),
+        };
+        Self { levels: paint(kind, variant).levels().iter().enumerate().map(level).collect() }
+    }
+
+    /// The level before, the one after, and the way between them.
+    #[inline]
+    fn between(&self, level: f32) -> (&Level, &Level, f32) {
+        let level = level.clamp(0.0, (LEVELS - 1) as f32);
+        let first = level as usize;
+        (&self.levels[first], &self.levels[(first + 1).min(LEVELS - 1)], level - first as f32)
+    }
+
+    /// Coverage at (u, v), v down, 0..=1.
+    #[inline]
+    pub(crate) fn alpha(&self, u: f32, v: f32, level: f32) -> f32 {
+        let (fine, coarse, way) = self.between(level);
+        let near = fine.alpha(u, v);
+        if way > 0.0 { near + (coarse.alpha(u, v) - near) * way } else { near }
+    }
+
+    /// Shade, dryness and facing at (u, v), 0..=1.
+    #[inline]
+    pub(crate) fn paint(&self, u: f32, v: f32, level: f32) -> [f32; 3] {
+        let (fine, coarse, way) = self.between(level);
+        let (near, far) = (fine.paint(u, v), coarse.paint(u, v));
+        [0, 1, 2].map(|channel| near[channel] + (far[channel] - near[channel]) * way)
+    }
+}
+
+/// The pictures that some looks need, by layer.
+pub(crate) struct Clumps {
+    layers: Vec<Option<Clump>>,
+    empty: Clump,
+}
+
+impl Clumps {
+    pub(crate) fn new(looks: &[Look]) -> Self {
+        let mut wanted: Vec<(u32, Kind, u32)> = Vec::new();
+        for look in looks {
+            for variant in 0..VARIANTS {
+                let layer = first_layer(look.kind) + variant;
+                if !wanted.iter().any(|(known, ..)| *known == layer) {
+                    wanted.push((layer, look.kind, variant));
+                }
+            }
+        }
+        let painted = crate::each::each(wanted, |(layer, kind, variant)| (layer, Clump::new(kind, variant)));
+        let mut clumps = Self { layers: Vec::new(), empty: nothing() };
+        for (layer, clump) in painted {
+            let at = layer as usize;
+            clumps.layers.resize_with(clumps.layers.len().max(at + 1), || None);
+            clumps.layers[at] = Some(clump);
+        }
+        clumps
+    }
+
+    /// The picture of a layer; an empty one if no look has it.
+    pub(crate) fn layer(&self, layer: u32) -> &Clump {
+        self.layers.get(layer as usize).and_then(Option::as_ref).unwrap_or(&self.empty)
+    }
+}
+
+fn nothing() -> Clump {
+    let level = || Level { side: 1, alpha: vec![0], paint: vec![[0; 4]] };
+    Clump { levels: (0..LEVELS).map(|_| level()).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reading_between_texels_and_levels_is_linear() {
+        let texels = |side: usize, value: u8| Level { side, alpha: vec![value; side * side], paint: vec![[value; 4]; side * side] };
+        let mut levels: Vec<Level> = (0..LEVELS).map(|index| texels(SIDE >> index, 100)).collect();
+        levels[1] = texels(SIDE / 2, 200);
+        levels[0].alpha[1] = 255;
+        let clump = Clump { levels };
+        let side = SIDE as f32;
+        let close = |a: f32, b: f32| assert!((a - b).abs() < 1e-4, "{a} {b}");
+        // Texel centres, halfway between two, beyond the rim, between levels.
+        close(clump.alpha(1.5 / side, 0.5 / side, 0.0), 1.0);
+        close(clump.alpha(1.0 / side, 0.5 / side, 0.0), 177.5 / 255.0);
+        close(clump.alpha(-3.0, -3.0, 0.0), 100.0 / 255.0);
+        close(clump.paint(0.5, 0.5, 0.25)[0], 125.0 / 255.0);
+        close(clump.alpha(0.5, 0.5, 99.0), 100.0 / 255.0);
+    }
+}
