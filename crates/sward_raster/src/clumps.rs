@@ -64,28 +64,36 @@ impl Clump {
         Self { levels: paint(kind, variant).levels().iter().enumerate().map(level).collect() }
     }
 
-    /// The level before, the one after, and the way between them.
+    /// How the picture is read at a level, 0 the finest.
     #[inline]
-    fn between(&self, level: f32) -> (&Level, &Level, f32) {
+    pub(crate) fn between(&self, level: f32) -> Between<'_> {
         let level = level.clamp(0.0, (LEVELS - 1) as f32);
         let first = level as usize;
-        (&self.levels[first], &self.levels[(first + 1).min(LEVELS - 1)], level - first as f32)
+        Between { fine: &self.levels[first], coarse: &self.levels[(first + 1).min(LEVELS - 1)], way: level - first as f32 }
     }
+}
 
+/// A picture between two of its levels.
+#[derive(Clone, Copy)]
+pub(crate) struct Between<'a> {
+    fine: &'a Level,
+    coarse: &'a Level,
+    way: f32,
+}
+
+impl Between<'_> {
     /// Coverage at (u, v), v down, 0..=1.
     #[inline]
-    pub(crate) fn alpha(&self, u: f32, v: f32, level: f32) -> f32 {
-        let (fine, coarse, way) = self.between(level);
-        let near = fine.alpha(u, v);
-        if way > 0.0 { near + (coarse.alpha(u, v) - near) * way } else { near }
+    pub(crate) fn alpha(&self, u: f32, v: f32) -> f32 {
+        let near = self.fine.alpha(u, v);
+        if self.way > 0.0 { near + (self.coarse.alpha(u, v) - near) * self.way } else { near }
     }
 
     /// Shade, dryness and facing at (u, v), 0..=1.
     #[inline]
-    pub(crate) fn paint(&self, u: f32, v: f32, level: f32) -> [f32; 3] {
-        let (fine, coarse, way) = self.between(level);
-        let (near, far) = (fine.paint(u, v), coarse.paint(u, v));
-        [0, 1, 2].map(|channel| near[channel] + (far[channel] - near[channel]) * way)
+    pub(crate) fn paint(&self, u: f32, v: f32) -> [f32; 3] {
+        let (near, far) = (self.fine.paint(u, v), self.coarse.paint(u, v));
+        [0, 1, 2].map(|channel| near[channel] + (far[channel] - near[channel]) * self.way)
     }
 }
 
@@ -141,10 +149,10 @@ mod tests {
         let side = SIDE as f32;
         let close = |a: f32, b: f32| assert!((a - b).abs() < 1e-4, "{a} {b}");
         // Texel centres, halfway between two, beyond the rim, between levels.
-        close(clump.alpha(1.5 / side, 0.5 / side, 0.0), 1.0);
-        close(clump.alpha(1.0 / side, 0.5 / side, 0.0), 177.5 / 255.0);
-        close(clump.alpha(-3.0, -3.0, 0.0), 100.0 / 255.0);
-        close(clump.paint(0.5, 0.5, 0.25)[0], 125.0 / 255.0);
-        close(clump.alpha(0.5, 0.5, 99.0), 100.0 / 255.0);
+        close(clump.between(0.0).alpha(1.5 / side, 0.5 / side), 1.0);
+        close(clump.between(0.0).alpha(1.0 / side, 0.5 / side), 177.5 / 255.0);
+        close(clump.between(0.0).alpha(-3.0, -3.0), 100.0 / 255.0);
+        close(clump.between(0.25).paint(0.5, 0.5)[0], 125.0 / 255.0);
+        close(clump.between(99.0).alpha(0.5, 0.5), 100.0 / 255.0);
     }
 }

@@ -5,7 +5,7 @@ use sward::shading::clump::SIDE;
 use sward::shading::foliage::{self, Card, MEAN_LIT};
 use sward::shading::look::Style;
 
-use crate::clumps::Clump;
+use crate::clumps::{Between, Clump};
 use crate::shadows;
 use crate::sight::{Sight, mix};
 use crate::tile::{Quad, Shaded};
@@ -50,8 +50,12 @@ pub(crate) fn shade(sight: &Sight<'_>, of: &LeafOf<'_>, quad: &Quad, leaves: &mu
     let card = quad.weights.map(|weights| mix(weights, &cards));
     let at = card.map(|card| Vec2::new(card.x, 1.0 - card.y));
     let (across, down) = changes(at);
-    let levels: [f32; 4] = std::array::from_fn(|lane| foliage::level(across[lane] * SIDE as f32, down[lane] * SIDE as f32));
-    let mut alpha: [f32; 4] = std::array::from_fn(|lane| of.clump.alpha(at[lane].x, at[lane].y, levels[lane]));
+    let side = SIDE as f32;
+    let read: [Between<'_>; 4] = std::array::from_fn(|lane| of.clump.between(foliage::level(across[lane] * side, down[lane] * side)));
+    let mut alpha = [0.0; 4];
+    for lane in 0..4 {
+        alpha[lane] = read[lane].alpha(at[lane].x, at[lane].y);
+    }
     if alpha == [0.0; 4] {
         return shaded;
     }
@@ -89,7 +93,7 @@ pub(crate) fn shade(sight: &Sight<'_>, of: &LeafOf<'_>, quad: &Quad, leaves: &mu
             patchwork: of.patchwork,
             tint: of.tint,
         };
-        let texel = of.clump.paint(at[lane].x, at[lane].y, levels[lane]);
+        let texel = read[lane].paint(at[lane].x, at[lane].y);
         let lit = sight.shadows.lit(shadows::place(&sight.frame, mix(weights, &places), 0.10), 2.2, MEAN_LIT);
         let colour = foliage::foliage(of.style, &place, texel.into(), views[lane], distances[lane], &sight.light, lit);
         let air = three.map(|corner| leaves[corner].air(sight));

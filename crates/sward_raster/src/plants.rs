@@ -153,17 +153,14 @@ impl Batch {
             let (clump, joints, flip) = (clumps.layer(plant.layer), self.joints_of(index as usize), flip(plant));
             for card in 0..self.cards() {
                 let rungs = self.card(plant, joints, card, 1.0);
-                let corner = |corner: usize| {
-                    let (at, left) = (corner / 2, corner % 2 == 0);
-                    let place = rungs[at].corner(if left { -1.0 } else { 1.0 });
-                    shadows::place(frame, place, 0.0) * Vec3::new(side, side, 1.0)
-                };
-                let uv = |corner: usize| {
-                    let side = if corner % 2 == 0 { -1.0 } else { 1.0 };
-                    Vec2::new(0.5 + 0.5 * side * flip, 1.0 - (corner / 2) as f32 / self.segments() as f32)
-                };
+                let (mut points, mut uv) = ([Vec3::ZERO; 2 * MOST_JOINTS], [Vec2::ZERO; 2 * MOST_JOINTS]);
+                for corner in 0..2 * (self.segments() + 1) {
+                    let left_right = (corner % 2) as f32 * 2.0 - 1.0;
+                    points[corner] = shadows::place(frame, rungs[corner / 2].corner(left_right), 0.0) * Vec3::new(side, side, 1.0);
+                    uv[corner] = Vec2::new(0.5 + 0.5 * left_right * flip, 1.0 - (corner / 2) as f32 / self.segments() as f32);
+                }
                 for three in triangles(self.segments()) {
-                    tile.draw(three.map(corner), Some(&Cutout { clump, at: three.map(uv) }));
+                    tile.draw(three.map(|corner| points[corner]), Some(&Cutout { clump, at: three.map(|corner| uv[corner]) }));
                 }
             }
         }

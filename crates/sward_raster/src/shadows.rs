@@ -1,10 +1,10 @@
 //! The sun's shadow map: depth seen from the sun, one sample a texel; and how it is read.
 
 use glam::{Vec2, Vec3};
-use sward::math::smoothstep;
+use sward::math::{floored, smoothstep};
 use sward::picture::frame::{FrameUniform, SHADOW_SIDE};
 
-use crate::clumps::Clump;
+use crate::clumps::{Between, Clump};
 use crate::triangle::Triangle;
 
 /// Texels along each side of one tile of the map.
@@ -42,9 +42,8 @@ impl ShadowMap {
     #[inline]
     fn compare(&self, at: Vec2, depth: f32) -> f32 {
         let at = at * SHADOW_SIDE as f32 - 0.5;
-        let corner = at.floor();
-        let way = at - corner;
-        let (x, y) = (corner.x as i32, corner.y as i32);
+        let (x, y) = (floored(at.x), floored(at.y));
+        let way = at - Vec2::new(x as f32, y as f32);
         let lit = |dx: i32, dy: i32| if depth <= self.at(x + dx, y + dy) { 1.0 } else { 0.0 };
         let (a, b, c, d): (f32, f32, f32, f32) = (lit(0, 0), lit(1, 0), lit(0, 1), lit(1, 1));
         let (top, bottom) = (a + (b - a) * way.x, c + (d - c) * way.x);
@@ -115,20 +114,25 @@ impl ShadowTile {
         let bias = SLOPE * 256.0 * triangle.depth[1].abs().max(triangle.depth[2].abs());
         let print = cutout.map(|cutout| Print::new(&triangle, cutout));
         for row in low[1]..=high[1] {
-            let y = (self.corner[1] + row) * 256 + 128;
-            for column in low[0]..=high[0] {
-                let x = (self.corner[0] + column) * 256 + 128;
-                let edges = [0, 1, 2].map(|k| triangle.edge(k, x, y));
-                if (0..3).any(|k| edges[k] + triangle.rule[k] < 0) {
+            let (x, y) = ((self.corner[0] + low[0]) * 256 + 128, (self.corner[1] + row) * 256 + 128);
+            let mut edges = [0, 1, 2].map(|k| triangle.edge(k, x, y) + triangle.rule[k]);
+            let line = &mut self.depths[row as usize * TILE + low[0] as usize..=row as usize * TILE + high[0] as usize];
+            let mut entered = false;
+            for (column, stored) in line.iter_mut().enumerate() {
+                let at = edges;
+                (0..3).for_each(|k| edges[k] += 256 * triangle.a[k]);
+                if (at[0] | at[1] | at[2]) < 0 {
+                    if entered {
+                        break;
+                    }
                     continue;
                 }
-                let depth = triangle.depth_at(x, y).clamp(triangle.depths[0], triangle.depths[1]);
+                entered = true;
+                let depth = triangle.depth_at(x + 256 * column as i64, y).clamp(triangle.depths[0], triangle.depths[1]);
                 let biased = (depth + bias).clamp(0.0, 1.0);
-                let stored = &mut self.depths[row as usize * TILE + column as usize];
-                if !(0.0..=1.0).contains(&depth) || biased > *stored || print.as_ref().is_some_and(|print| print.is_empty(edges)) {
-                    continue;
+                if biased <= *stored && (0.0..=1.0).contains(&depth) && !print.as_ref().is_some_and(|print| print.is_empty(at)) {
+                    *stored = biased;
                 }
-                *stored = biased;
             }
         }
     }
@@ -136,9 +140,8 @@ impl ShadowTile {
 
 /// A cutout as a triangle shows it: all in the map is affine, so one level does for the whole triangle.
 struct Print<'a> {
-    clump: &'a Clump,
+    between: Between<'a>,
     at: [Vec2; 3],
-    level: f32,
 }
 
 impl<'a> Print<'a> {
@@ -147,12 +150,12 @@ impl<'a> Print<'a> {
         let texels = 256.0 * sward::shading::clump::SIDE as f32;
         let slope = |over: &[i64; 3]| (at[0] * over[0] as f32 + at[1] * over[1] as f32 + at[2] * over[2] as f32) * texels;
         let longer = slope(&triangle.a).length_squared().max(slope(&triangle.b).length_squared());
-        Self { clump: cutout.clump, at, level: 0.5 * longer.max(1e-9).log2() }
+        Self { between: cutout.clump.between(0.5 * longer.max(1e-9).log2()), at }
     }
 
     #[inline]
     fn is_empty(&self, edges: [i64; 3]) -> bool {
         let uv = self.at[0] * edges[0] as f32 + self.at[1] * edges[1] as f32 + self.at[2] * edges[2] as f32;
-        self.clump.alpha(uv.x, uv.y, self.level) < 0.5
+        self.between.alpha(uv.x, uv.y) < 0.5
     }
 }

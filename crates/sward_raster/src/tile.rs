@@ -65,7 +65,7 @@ impl Tile {
         let side = i64::from(SIDE);
         let low = [0, 1].map(|axis| ((triangle.low[axis] - self.corner[axis]).max(0)) / 2);
         let high = [0, 1].map(|axis| (triangle.high[axis] - self.corner[axis]).min(side - 1));
-        if high[0] < 0 || high[1] < 0 {
+        if (0..2).any(|axis| high[axis] < 2 * low[axis]) {
             return;
         }
         let over: [[i64; 16]; 3] = [0, 1, 2].map(|k| offsets(triangle.a[k], triangle.b[k]));
@@ -100,7 +100,13 @@ impl Tile {
     fn depths_at(&self, triangle: &Triangle, deeper: &[f32; 16], x: i64, y: i64) -> [f32; 16] {
         let depth = triangle.depth_at(x, y);
         let [least, most] = triangle.depths;
-        deeper.map(|more| (depth + more).max(least).min(most))
+        let mut depths = *deeper;
+        for at in &mut depths {
+            let here = depth + *at;
+            let here = if here > least { here } else { least };
+            *at = if here < most { here } else { most };
+        }
+        depths
     }
 
     #[inline]
@@ -185,8 +191,15 @@ fn nearer(depths: &[f32; 16], stored: &[f32; 16]) -> u16 {
 /// Weights at the centres of the four pixels.
 #[inline]
 fn centres(triangle: &Triangle, edges: [i64; 3]) -> [Vec3; 4] {
-    [[128, 128], [384, 128], [128, 384], [384, 384]]
-        .map(|[x, y]: [i64; 2]| triangle.weights([0, 1, 2].map(|k| (edges[k] + triangle.a[k] * x + triangle.b[k] * y) as f32)))
+    let mut weights = [Vec3::ZERO; 4];
+    for (lane, [x, y]) in [[128, 128], [384, 128], [128, 384], [384, 384]].into_iter().enumerate() {
+        let mut at = [0.0; 3];
+        for k in 0..3 {
+            at[k] = (edges[k] + triangle.a[k] * x + triangle.b[k] * y) as f32;
+        }
+        weights[lane] = triangle.weights(at);
+    }
+    weights
 }
 
 /// The direction a pixel's centre is seen in: `frame` gives the middle, and half the picture's width and height as vectors.

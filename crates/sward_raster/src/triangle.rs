@@ -4,6 +4,7 @@
 //! shared by two triangles belongs to exactly one of them), clipping at the near plane, and weights corrected for perspective.
 
 use glam::{Vec2, Vec3, Vec4};
+use sward::math::floored;
 use sward::picture::frame::NEAR;
 
 /// Parts of a pixel.
@@ -44,7 +45,7 @@ impl Triangle {
         if !points.iter().all(|point| point.is_finite()) {
             return None;
         }
-        let snap = |value: f32| (value.clamp(-FARTHEST, FARTHEST) * PARTS).round() as i64;
+        let snap = |value: f32| i64::from(floored(value.clamp(-FARTHEST, FARTHEST) * PARTS + 0.5));
         let at = points.map(|point| [snap(point.x), snap(point.y)]);
         let area = (at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) - (at[1][1] - at[0][1]) * (at[2][0] - at[0][0]);
         if area == 0 {
@@ -59,8 +60,8 @@ impl Triangle {
             c[k] = -(a[k] * from[0] + b[k] * from[1]);
             rule[k] = if a[k] > 0 || (a[k] == 0 && b[k] > 0) { 0 } else { -1 };
         }
-        let area = area.abs() as f64;
-        let slope = |over: &[i64; 3]| ((0..3).map(|k| f64::from(points[k].z) * over[k] as f64).sum::<f64>() / area) as f32;
+        let inverse_area = 1.0 / area.abs() as f64;
+        let slope = |over: &[i64; 3]| ((0..3).map(|k| f64::from(points[k].z) * over[k] as f64).sum::<f64>() * inverse_area) as f32;
         let depths = [points[0].z.min(points[1].z).min(points[2].z), points[0].z.max(points[1].z).max(points[2].z)];
         let least = |axis: usize| at[0][axis].min(at[1][axis]).min(at[2][axis]) >> 8;
         let most = |axis: usize| at[0][axis].max(at[1][axis]).max(at[2][axis]) >> 8;
@@ -74,7 +75,7 @@ impl Triangle {
             b,
             c,
             rule,
-            inverse_area: (1.0 / area) as f32,
+            inverse_area: inverse_area as f32,
             inverse_w,
             source: None,
         })

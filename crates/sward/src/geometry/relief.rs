@@ -3,6 +3,8 @@
 //! The same Catmull-Rom surface as [`crate::terrain`], mirrored outside; addressed from the frame origin, so that one grid of vertices
 //! can reach for kilometres.
 
+use crate::math::floored;
+
 /// Ground height in WGSL. The host declares `fn relief_load(index: i32) -> f32`.
 pub const WGSL: &str = include_str!("relief.wgsl");
 
@@ -69,12 +71,12 @@ pub fn height(frame: &ReliefFrame, p: [f32; 2], load: impl Fn(i32) -> f32) -> f3
         return load(0);
     }
     let at = [0, 1].map(|axis| p[axis] * frame.mapping[axis] + frame.mapping[2 + axis]);
-    let corner = at.map(f32::floor);
-    let (wx, wz) = (weights(at[0] - corner[0]), weights(at[1] - corner[1]));
-    let columns = [0, 1, 2, 3].map(|i| mirror((corner[0] as i32).wrapping_add(i - 1), size[0]));
+    let corner = at.map(floored);
+    let (wx, wz) = (weights(at[0] - corner[0] as f32), weights(at[1] - corner[1] as f32));
+    let columns = [0, 1, 2, 3].map(|i| mirror(corner[0].wrapping_add(i - 1), size[0]));
     let mut sum = 0.0;
     for j in 0..4 {
-        let start = mirror((corner[1] as i32).wrapping_add(j - 1), size[1]) * size[0];
+        let start = mirror(corner[1].wrapping_add(j - 1), size[1]) * size[0];
         let mut row = 0.0;
         for i in 0..4 {
             row += wx[i] * load(start + columns[i]);

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::math::{exp, smoothstep};
+use crate::math::{exp, floored, smoothstep};
 
 /// The pattern of the ground repeats after this many metres; hosts hand in positions modulo this.
 pub const PERIOD: f64 = 1024.0;
@@ -23,10 +23,10 @@ pub fn hash(x: i32, z: i32, salt: u32) -> f32 {
 /// Value noise, 0..1, one lattice cell per unit of `p`. Cells wrap after `cells` (a power of two).
 #[inline]
 pub fn noise(p: Vec2, cells: i32, salt: u32) -> f32 {
-    let corner = p.floor();
-    let f = p - corner;
+    let (x, z) = (floored(p.x), floored(p.y));
+    let f = p - Vec2::new(x as f32, z as f32);
     let w = f * f * (3.0 - 2.0 * f);
-    let [ax, az] = [corner.x as i32 & (cells - 1), corner.y as i32 & (cells - 1)];
+    let [ax, az] = [x & (cells - 1), z & (cells - 1)];
     let [bx, bz] = [(ax + 1) & (cells - 1), (az + 1) & (cells - 1)];
     let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
     let low = mix(hash(ax, az, salt), hash(bx, az, salt), w.x);

@@ -59,7 +59,8 @@ pub fn foliage(style: &Style, card: &Card, texel: Vec3, view: Vec3, distance: f3
     let [sky_at_root, fade, _, gone] = style.mean;
     // Far off only the tops of plants are seen, whatever part of a card covers the pixel: they melt into the canopy's colour.
     let far = smoothstep(0.25 * gone, 0.7 * gone, distance);
-    let along = card.along;
+    // Where a pixel's centre lies outside its triangle, the place is extrapolated: below the root there is no square root.
+    let along = card.along.clamp(0.0, 1.0);
     let (sine, cosine) = sin_cos((texel.z - 0.5) * 2.6);
     let mut normal = (card.facing * cosine + card.across * sine + Vec3::new(0.0, 0.18, 0.0)).normalize_or_zero();
     if normal.dot(view) <= 0.0 {
@@ -69,7 +70,7 @@ pub fn foliage(style: &Style, card: &Card, texel: Vec3, view: Vec3, distance: f3
     let shade = texel.x * (0.86 + 0.28 * card.tint);
     let albedo = leaf(root.xyz(), tip.xyz(), mix(along, 0.6, far), dry, card.patchwork, shade);
     // Neighbours hide the sky and, with a low sun, the sun from all but the tips.
-    let open = mix(mix(mix(sky_at_root, 1.0, along * along.max(0.0).sqrt()), 0.9, card.lying), 0.7, far);
+    let open = mix(mix(mix(sky_at_root, 1.0, along * along.sqrt()), 0.9, card.lying), 0.7, far);
     let reach = 1.0 - along;
     let through_canopy = mix(mix(exp(-fade * reach * reach / (0.25 + light.sun.y)), 0.9, card.lying), 0.6, far);
     grass(albedo, normal, view, light, lit * through_canopy, open, tip.w)

@@ -43,7 +43,8 @@ fn shading_rim(alpha: f32, change: f32, gone: f32, distance: f32) -> f32 {
 fn shading_foliage(species: ShadingSpecies, card: ShadingCard, texel: vec4<f32>, view: vec3<f32>, distance: f32, light: ShadingLight, lit: f32) -> vec3<f32> {
     // Far off only the tops of plants are seen, whatever part of a card covers the pixel: they melt into the canopy's colour.
     let far = smoothstep(0.25 * species.mean.w, 0.7 * species.mean.w, distance);
-    let along = card.along;
+    // Where a pixel's centre lies outside its triangle, the place is extrapolated: below the root there is no square root.
+    let along = clamp(card.along, 0.0, 1.0);
     let heading = (texel.b - 0.5) * 2.6;
     var normal = normalize(card.facing * cos(heading) + card.across * sin(heading) + vec3<f32>(0.0, 0.18, 0.0));
     normal = normal * select(-1.0, 1.0, dot(normal, view) > 0.0);
