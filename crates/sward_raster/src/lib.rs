@@ -10,7 +10,7 @@
 //!
 //! ```
 //! use sward::{model::NoAssets, scene::Scene, world::World};
-//! let scene = Scene::parse("(version: 1, stands: [(species: Lawn, cells: 16)], field: (patch_side: 2, patches: (3, 3)))", "lawn.ron")?;
+//! let scene = Scene::parse("(version: 1, stands: [(species: Lawn, cells: 16)], field: (patch_side: 8, patches: (3, 3)))", "lawn.ron")?;
 //! let world = World::new(scene, &NoAssets)?;
 //! let picture = sward_raster::Studio::new(&world).draw(&world, [32, 18]);
 //! assert_eq!(picture.rgba8.len(), 32 * 18 * 4);

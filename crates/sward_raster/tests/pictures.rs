@@ -63,9 +63,9 @@ fn sizes_show_the_same() {
 fn odd_worlds_are_drawn() {
     for text in [
         "(version: 1)",
-        "(version: 1, stands: [(species: Reed, cells: 16)], field: (patch_side: 2), camera: (eye: (1, 0.5, 1), target: (1, 0, 1.0001)))",
+        "(version: 1, stands: [(species: Reed, cells: 16)], field: (patch_side: 8), camera: (eye: (1, 0.5, 1), target: (1, 0, 1.0001)))",
         "(version: 1, interactors: [(shape: Box(size: (9, 9, 9)), path: Still(at: (0, 0)))], camera: (eye: (0, 2, 0), target: (0, 2, 9)))",
-        "(version: 1, stands: [(species: Lawn, cells: 16)], field: (patch_side: 4), camera: (eye: (0, 9, 0), target: (0, 90, 9)))",
+        "(version: 1, stands: [(species: Lawn, cells: 16)], field: (patch_side: 8), camera: (eye: (0, 9, 0), target: (0, 90, 9)))",
     ] {
         let world = world(text, 2);
         let picture = Studio::new(&world).draw(&world, [40, 30]);
