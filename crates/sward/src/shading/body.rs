@@ -1,5 +1,7 @@
 //! Light on bodies: lacquer, rubber, glass and chrome. Twin: `body.wgsl`.
 
+use std::f32::consts::FRAC_1_PI;
+
 use glam::Vec3;
 
 use super::sky::{Light, sky};
@@ -23,7 +25,7 @@ pub fn body(colour: Vec3, surface: Vec3, normal: Vec3, view: Vec3, light: &Light
     let sharp = 2.0 / (roughness * roughness * roughness * roughness).max(1e-4);
     let lobe = ((sharp + 8.0) * 0.0398).min(60.0) * normal.dot(half_way).max(0.0).powf(sharp);
     let sky = light.ground.lerp(light.sky, 0.5 + 0.5 * normal.y) * open;
-    let diffuse = colour * (1.0 - fresnel) * (light.sun_colour * (lit * 0.3183) + sky);
+    let diffuse = colour * (1.0 - fresnel) * (light.sun_colour * (lit * FRAC_1_PI) + sky);
     let mirror = mirrored(-view - 2.0 * normal.dot(-view) * normal, roughness, light, haze) * fresnel * open;
     let tinted = if gloss >= 0.3 { colour * 1.6 } else { Vec3::ONE };
     diffuse + tinted * (mirror + light.sun_colour * (lit * lobe * gloss))

@@ -19,7 +19,7 @@ fn shading_body(colour: vec3<f32>, surface: vec3<f32>, normal: vec3<f32>, view: 
     let sharp = 2.0 / max(roughness * roughness * roughness * roughness, 1e-4);
     let lobe = min((sharp + 8.0) * 0.0398, 60.0) * pow(max(dot(normal, half_way), 0.0), sharp);
     let sky = mix(light.ground, light.sky, 0.5 + 0.5 * normal.y) * open;
-    let diffuse = colour * (1.0 - fresnel) * (light.sun_colour * (lit * 0.3183) + sky);
+    let diffuse = colour * (1.0 - fresnel) * (light.sun_colour * (lit * 0.31830987) + sky);
     let mirror = shading_mirrored(reflect(-view, normal), roughness, light, haze) * fresnel * open;
     let tinted = mix(vec3<f32>(1.0), colour * 1.6, step(0.3, gloss));
     return diffuse + tinted * (mirror + light.sun_colour * (lit * lobe * gloss));

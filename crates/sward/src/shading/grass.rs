@@ -1,5 +1,7 @@
 //! Light on leaves: reflected, let through, and lost between the stems. Twin: `grass.wgsl`.
 
+use std::f32::consts::FRAC_1_PI;
+
 use glam::Vec3;
 
 use super::sky::Light;
@@ -28,6 +30,6 @@ pub fn grass(albedo: Vec3, normal: Vec3, view: Vec3, light: &Light, lit: f32, op
     // Lying leaves seen at a flat angle mirror the sky: that is what makes a track shine.
     let flat_angle = 1.0 - normal.dot(view).max(0.0);
     let mirror = light.sky.lerp(light.sun_colour * 0.06, 0.5) * (0.28 * open * normal.y.max(0.0) * flat_angle * flat_angle * flat_angle);
-    let diffuse = albedo * (light.sun_colour * (lit * front * 0.3183) + sky * open);
-    diffuse + passed * light.sun_colour * (lit * back * 0.3183) + light.sun_colour * (lit * shine * 0.035) + mirror
+    let diffuse = albedo * (light.sun_colour * (lit * front * FRAC_1_PI) + sky * open);
+    diffuse + passed * light.sun_colour * (lit * back * FRAC_1_PI) + light.sun_colour * (lit * shine * 0.035) + mirror
 }

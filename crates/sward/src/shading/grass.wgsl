@@ -30,6 +30,6 @@ fn shading_grass(albedo: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, light: S
     // Lying leaves seen at a flat angle mirror the sky: that is what makes a track shine.
     let flat_angle = 1.0 - max(dot(normal, view), 0.0);
     let mirror = mix(light.sky, light.sun_colour * 0.06, 0.5) * (0.28 * open * max(normal.y, 0.0) * flat_angle * flat_angle * flat_angle);
-    let diffuse = albedo * (light.sun_colour * (lit * front * 0.3183) + sky * open);
-    return diffuse + passed * light.sun_colour * (lit * back * 0.3183) + light.sun_colour * (lit * shine * 0.035) + mirror;
+    let diffuse = albedo * (light.sun_colour * (lit * front * 0.31830987) + sky * open);
+    return diffuse + passed * light.sun_colour * (lit * back * 0.31830987) + light.sun_colour * (lit * shine * 0.035) + mirror;
 }

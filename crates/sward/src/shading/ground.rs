@@ -1,5 +1,7 @@
 //! Ground: bare turf near by, and the mean of a whole canopy further away. Twin: `ground.wgsl`.
 
+use std::f32::consts::{FRAC_1_PI, PI};
+
 use glam::{Vec2, Vec3, Vec4Swizzles};
 
 use super::common::{noise, patchwork};
@@ -21,7 +23,7 @@ pub fn canopy_split(view: Vec3, sun: Vec3) -> Vec2 {
     let angle = cosine.acos();
     let sine = (1.0 - cosine * cosine).sqrt();
     let level = (1.0 - sun.y * sun.y).max(0.0).sqrt();
-    level * 0.25 * Vec2::new((std::f32::consts::PI - angle) * cosine + sine, sine - angle * cosine)
+    level * 0.25 * Vec2::new((PI - angle) * cosine + sine, sine - angle * cosine)
 }
 
 /// Radiance of a canopy seen from so far away that single leaves vanish. `albedo` is the leaves' mean colour.
@@ -33,7 +35,7 @@ pub fn canopy(albedo: Vec3, normal: Vec3, view: Vec3, light: &Light, lit: f32, t
     let depth = 1.0 - 0.45 * normal.dot(view).max(0.0);
     let passed = albedo * Vec3::new(1.15, 1.35, 0.40) * (through * 0.64 * split.y);
     let sky = light.ground.lerp(light.sky, 0.62);
-    (light.sun_colour * (lit * 0.3183 * 0.33) * (albedo * front + passed) + albedo * sky * 0.45) * depth
+    (light.sun_colour * (lit * FRAC_1_PI * 0.33) * (albedo * front + passed) + albedo * sky * 0.45) * depth
 }
 
 /// Brightness pattern of turf, about 1; waves shorter than `footprint` metres (one pixel on the ground) are left out.

@@ -22,7 +22,7 @@ fn shading_canopy(albedo: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, light: 
     let depth = 1.0 - 0.45 * max(dot(normal, view), 0.0);
     let passed = albedo * vec3<f32>(1.15, 1.35, 0.40) * (through * 0.64 * split.y);
     let sky = mix(light.ground, light.sky, 0.62);
-    return (light.sun_colour * (lit * 0.3183 * 0.33) * (albedo * front + passed) + albedo * sky * 0.45) * depth;
+    return (light.sun_colour * (lit * 0.31830987 * 0.33) * (albedo * front + passed) + albedo * sky * 0.45) * depth;
 }
 
 // Brightness pattern of turf, about 1; waves shorter than `footprint` metres (one pixel on the ground) are left out.
