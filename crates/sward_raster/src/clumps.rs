@@ -1,50 +1,56 @@
 //! Pictures of clumps with their smaller copies, and how they are read: bilinear, and linear between levels, clamped at the rim.
 
-use sward::shading::clump::{Kind, LEVELS, SIDE, VARIANTS, first_layer, paint};
+use sward::math::clamped;
+use sward::shading::clump::{Kind, LEVELS, VARIANTS, first_layer, paint};
 use sward::shading::look::Look;
 
 /// One level of one picture; alpha apart, since most places of a card are empty.
 #[derive(Default)]
 struct Level {
     side: usize,
-    alpha: Vec<u8>,
+    /// Coverage of each texel, its right, its lower and its lower right neighbour: one look instead of four.
+    alpha: Vec<[u8; 4]>,
     paint: Vec<[u8; 4]>,
 }
 
-/// The four texels around a place, and how far it is from the first.
-struct Around {
-    at: [usize; 4],
-    way: [f32; 2],
-}
-
 impl Level {
+    /// From texels, row by row.
+    fn new(paint: Vec<[u8; 4]>) -> Self {
+        let side = paint.len().isqrt().max(1);
+        let around = |at: usize| {
+            let (right, down) = ((at % side + 1).min(side - 1) - at % side, ((at / side + 1).min(side - 1) - at / side) * side);
+            [at, at + right, at + down, at + down + right].map(|texel| paint[texel][3])
+        };
+        Self { side, alpha: (0..paint.len()).map(around).collect(), paint }
+    }
+
+    /// The texel before a place, and how far the place is from it.
     #[inline]
-    fn around(&self, u: f32, v: f32) -> Around {
-        let last = (self.side - 1) as f32;
-        let place = |share: f32| (share * self.side as f32 - 0.5).clamp(0.0, last);
-        let (x, y) = (place(u), place(v));
-        let (column, row) = (x as usize, y as usize);
-        let (right, down) = ((column + 1).min(self.side - 1), (row + 1).min(self.side - 1));
-        let (top, bottom) = (row * self.side, down * self.side);
-        Around { at: [top + column, top + right, bottom + column, bottom + right], way: [x - column as f32, y - row as f32] }
+    fn place(&self, u: f32, v: f32) -> ([usize; 2], [f32; 2]) {
+        let (side, last) = (self.side as f32, (self.side - 1) as f32);
+        let (x, y) = (clamped(u * side - 0.5, 0.0, last), clamped(v * side - 0.5, 0.0, last));
+        let (column, row) = (x as i32, y as i32);
+        ([column as usize, row as usize], [x - column as f32, y - row as f32])
     }
 
     #[inline]
     fn alpha(&self, u: f32, v: f32) -> f32 {
-        let Around { at, way } = self.around(u, v);
-        let [a, b, c, d] = at.map(|texel| f32::from(self.alpha[texel]));
-        let (top, bottom) = (a + (b - a) * way[0], c + (d - c) * way[0]);
-        (top + (bottom - top) * way[1]) * (1.0 / 255.0)
+        let ([column, row], [x, y]) = self.place(u, v);
+        let [a, b, c, d] = self.alpha[row * self.side + column].map(f32::from);
+        let (top, bottom) = (a + (b - a) * x, c + (d - c) * x);
+        (top + (bottom - top) * y) * (1.0 / 255.0)
     }
 
     #[inline]
     fn paint(&self, u: f32, v: f32) -> [f32; 3] {
-        let Around { at, way } = self.around(u, v);
-        let texels = at.map(|texel| self.paint[texel]);
+        let ([column, row], [x, y]) = self.place(u, v);
+        let (right, down) = ((column + 1).min(self.side - 1), (row + 1).min(self.side - 1));
+        let (top, bottom) = (row * self.side, down * self.side);
+        let texels = [top + column, top + right, bottom + column, bottom + right].map(|texel| self.paint[texel]);
         [0, 1, 2].map(|channel| {
             let [a, b, c, d] = texels.map(|texel| f32::from(texel[channel]));
-            let (top, bottom) = (a + (b - a) * way[0], c + (d - c) * way[0]);
-            (top + (bottom - top) * way[1]) * (1.0 / 255.0)
+            let (top, bottom) = (a + (b - a) * x, c + (d - c) * x);
+            (top + (bottom - top) * y) * (1.0 / 255.0)
         })
     }
 }
@@ -56,12 +62,8 @@ pub(crate) struct Clump {
 
 impl Clump {
     fn new(kind: Kind, variant: u32) -> Self {
-        let level = |(index, bytes): (usize, &Vec<u8>)| Level {
-            side: (SIDE >> index).max(1),
-            alpha: bytes.chunks_exact(4).map(|texel| texel[3]).collect(),
-            paint: bytes.chunks_exact(4).map(|texel| [texel[0], texel[1], texel[2], texel[3]]).collect(),
-        };
-        Self { levels: paint(kind, variant).levels().iter().enumerate().map(level).collect() }
+        let texels = |bytes: &Vec<u8>| bytes.chunks_exact(4).map(|texel| [texel[0], texel[1], texel[2], texel[3]]).collect();
+        Self { levels: paint(kind, variant).levels().iter().map(|bytes| Level::new(texels(bytes))).collect() }
     }
 
     /// How the picture is read at a level, 0 the finest.
@@ -131,8 +133,7 @@ impl Clumps {
 }
 
 fn nothing() -> Clump {
-    let level = || Level { side: 1, alpha: vec![0], paint: vec![[0; 4]] };
-    Clump { levels: (0..LEVELS).map(|_| level()).collect() }
+    Clump { levels: (0..LEVELS).map(|_| Level::new(vec![[0; 4]])).collect() }
 }
 
 #[cfg(test)]
@@ -141,10 +142,11 @@ mod tests {
 
     #[test]
     fn reading_between_texels_and_levels_is_linear() {
-        let texels = |side: usize, value: u8| Level { side, alpha: vec![value; side * side], paint: vec![[value; 4]; side * side] };
-        let mut levels: Vec<Level> = (0..LEVELS).map(|index| texels(SIDE >> index, 100)).collect();
-        levels[1] = texels(SIDE / 2, 200);
-        levels[0].alpha[1] = 255;
+        let texels = |side: usize, value: u8| vec![[value; 4]; side * side];
+        let mut levels: Vec<Level> = (0..LEVELS).map(|index| Level::new(texels(SIDE >> index, 100))).collect();
+        let mut first = texels(SIDE, 100);
+        first[1][3] = 255;
+        (levels[0], levels[1]) = (Level::new(first), Level::new(texels(SIDE / 2, 200)));
         let clump = Clump { levels };
         let side = SIDE as f32;
         let close = |a: f32, b: f32| assert!((a - b).abs() < 1e-4, "{a} {b}");

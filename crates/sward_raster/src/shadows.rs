@@ -116,7 +116,11 @@ impl ShadowTile {
         for row in low[1]..=high[1] {
             let (x, y) = ((self.corner[0] + low[0]) * 256 + 128, (self.corner[1] + row) * 256 + 128);
             let mut edges = [0, 1, 2].map(|k| triangle.edge(k, x, y) + triangle.rule[k]);
-            let line = &mut self.depths[row as usize * TILE + low[0] as usize..=row as usize * TILE + high[0] as usize];
+            let Some(skipped) = outside(triangle.a, edges, high[0] - low[0]) else { continue };
+            (0..3).for_each(|k| edges[k] += 256 * triangle.a[k] * skipped);
+            let x = x + 256 * skipped;
+            let line = row as usize * TILE;
+            let line = &mut self.depths[line + (low[0] + skipped) as usize..=line + high[0] as usize];
             let mut entered = false;
             for (column, stored) in line.iter_mut().enumerate() {
                 let at = edges;
@@ -136,6 +140,21 @@ impl ShadowTile {
             }
         }
     }
+}
+
+/// Pixels at the start of a row of `last + 1` that lie outside, at least; `None` if all do.
+#[inline]
+fn outside(across: [i64; 3], edges: [i64; 3], last: i64) -> Option<i64> {
+    let mut skipped = 0;
+    for k in 0..3 {
+        if edges[k] < 0 {
+            if across[k] <= 0 {
+                return None;
+            }
+            skipped = skipped.max(-edges[k] / (256 * across[k]));
+        }
+    }
+    (skipped <= last).then_some(skipped)
 }
 
 /// A cutout as a triangle shows it: all in the map is affine, so one level does for the whole triangle.
