@@ -139,6 +139,7 @@ fn nothing() -> Clump {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sward::shading::clump::SIDE;
 
     #[test]
     fn reading_between_texels_and_levels_is_linear() {

@@ -5,12 +5,20 @@
 
 use glam::{Vec2, Vec3, Vec4};
 use sward::math::floored;
-use sward::picture::frame::NEAR;
 
 /// Parts of a pixel.
 const PARTS: f32 = 256.0;
-/// Corners farther out than this, pixels, are brought nearer: nothing of a picture lies there.
-const FARTHEST: f32 = 4_194_304.0;
+/// No corner lies farther out, pixels: whole-number edge functions then fit 64 bits.
+const FARTHEST: f32 = 1_048_576.0;
+/// What is kept of a triangle in clip space: beyond the near plane, and not farther aside than this many halves of the picture.
+const PLANES: [Vec4; 5] = [
+    Vec4::new(0.0, 0.0, -1.0, 1.0),
+    Vec4::new(1.0, 0.0, 0.0, ASIDE),
+    Vec4::new(-1.0, 0.0, 0.0, ASIDE),
+    Vec4::new(0.0, 1.0, 0.0, ASIDE),
+    Vec4::new(0.0, -1.0, 0.0, ASIDE),
+];
+const ASIDE: f32 = 64.0;
 /// Places of the four samples in a pixel, 1/256.
 pub(crate) const SAMPLES: [[i64; 2]; 4] = [[96, 32], [224, 96], [32, 160], [160, 224]];
 
@@ -113,30 +121,39 @@ pub(crate) fn to_pixels(clip: Vec4, size: Vec2) -> Vec3 {
     Vec3::new((0.5 + 0.5 * ndc.x) * size.x, (0.5 - 0.5 * ndc.y) * size.y, ndc.z)
 }
 
-/// Draws the part of a triangle in clip space that lies beyond the near plane, in one or two triangles.
+/// Draws the part of a triangle in clip space that lies beyond the near plane, in as many triangles as it takes.
 pub(crate) fn clipped(clip: [Vec4; 3], size: Vec2, mut draw: impl FnMut(&Triangle)) {
     let mut emit = |corners: [Vec4; 3], source: Option<[Vec3; 3]>| {
         if let Some(triangle) = Triangle::new(corners.map(|corner| to_pixels(corner, size)), corners.map(|corner| 1.0 / corner.w)) {
             draw(&Triangle { source, ..triangle });
         }
     };
-    if clip.iter().all(|corner| corner.w >= NEAR) {
+    if clip.iter().all(|corner| PLANES.iter().all(|plane| plane.dot(*corner) >= 0.0)) {
         return emit(clip, None);
     }
-    let mut polygon: Vec<(Vec4, Vec3)> = Vec::with_capacity(4);
-    for k in 0..3 {
-        let (from, to) = (clip[k], clip[(k + 1) % 3]);
-        let (axis, next) = (Vec3::AXES[k], Vec3::AXES[(k + 1) % 3]);
-        if from.w >= NEAR {
-            polygon.push((from, axis));
-        }
-        if (from.w >= NEAR) != (to.w >= NEAR) {
-            let way = (NEAR - from.w) / (to.w - from.w);
-            polygon.push((from.lerp(to, way), axis.lerp(next, way)));
-        }
+    let mut polygon: Vec<(Vec4, Vec3)> = (0..3).map(|k| (clip[k], Vec3::AXES[k])).collect();
+    for plane in PLANES {
+        polygon = cut(&polygon, plane);
     }
     for k in 2..polygon.len() {
         let part = [polygon[0], polygon[k - 1], polygon[k]];
         emit(part.map(|(corner, _)| corner), Some(part.map(|(_, weights)| weights)));
     }
+}
+
+/// The part of a polygon (corners, and weights of the triangle it is from) on the inner side of a plane.
+fn cut(polygon: &[(Vec4, Vec3)], plane: Vec4) -> Vec<(Vec4, Vec3)> {
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    for (k, &(from, weights)) in polygon.iter().enumerate() {
+        let (to, next) = polygon[(k + 1) % polygon.len()];
+        let (here, there) = (plane.dot(from), plane.dot(to));
+        if here >= 0.0 {
+            kept.push((from, weights));
+        }
+        if (here >= 0.0) != (there >= 0.0) {
+            let way = here / (here - there);
+            kept.push((from.lerp(to, way), weights.lerp(next, way)));
+        }
+    }
+    kept
 }

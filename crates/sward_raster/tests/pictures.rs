@@ -72,3 +72,22 @@ fn odd_worlds_are_drawn() {
         assert_eq!(picture.rgba8.len(), 4800, "{text}");
     }
 }
+
+/// What a browser does not have.
+const ELSEWHERE: [&str; 5] = ["std::time", "std::fs", "std::thread", "std::env", "std::net"];
+
+fn needs(text: &str) -> Vec<&'static str> {
+    ELSEWHERE.into_iter().filter(|name| text.contains(name)).collect()
+}
+
+#[test]
+fn nothing_is_needed_that_a_browser_lacks() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let files: Vec<_> = std::fs::read_dir(folder).expect("readable").flatten().filter(|entry| entry.path().is_file()).collect();
+    assert!(files.len() > 10, "only {} files", files.len());
+    for file in files {
+        let text = std::fs::read_to_string(file.path()).expect("readable");
+        assert_eq!(needs(&text), Vec::<&str>::new(), "{}", file.path().display());
+    }
+    assert_eq!(needs("let now = std::time::Instant::now();"), ["std::time"]);
+}

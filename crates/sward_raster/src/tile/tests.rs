@@ -35,12 +35,13 @@ fn every_sample_belongs_to_one_triangle() {
     assert!(twice > 100, "{twice}");
 }
 
-/// Corners weighted as a quad says, projected: the pixel's own centre. Also for triangles that pass the near plane.
+/// Corners weighted as a quad says, projected: the pixel's own centre. Also for triangles that pass the near plane,
+/// or reach very far aside.
 #[test]
 fn weights_are_in_perspective() {
     let size = Vec2::splat(64.0);
     let corner = |x: f32, y: f32, w: f32| Vec4::new(x * w, y * w, sward::picture::frame::NEAR, w);
-    for last in [corner(0.2, 0.9, 9.0), Vec4::new(3.0, 2.0, 0.05, -2.0)] {
+    for last in [corner(0.2, 0.9, 9.0), Vec4::new(3.0, 2.0, 0.05, -2.0), corner(1e5, 3e5, 0.05)] {
         let clip = [corner(-0.9, -0.8, 1.0), corner(0.8, -0.7, 4.0), last];
         let place = |weights: Vec3| clip[0] * weights.x + clip[1] * weights.y + clip[2] * weights.z;
         let off = |weights: Vec3| (to_pixels(place(weights), size).truncate().fract() - 0.5).abs().max_element();
@@ -93,5 +94,7 @@ fn nothing_strange_is_drawn() {
     assert_eq!(draw(fine.map(|corner| -corner)), 0, "behind the eye");
     assert_eq!(draw([fine[0], fine[1], Vec4::NAN]), 0);
     assert_eq!(draw([fine[0], fine[1], Vec4::new(0.0, 1.0, 0.05, -1.0)]), 2, "cut at the near plane");
-    assert_eq!(draw([fine[0] * 1e30, fine[1], fine[2] * 1e30]), 1, "far out");
+    assert_eq!(draw([fine[0] * 1e30, fine[1], fine[2] * 1e30]), 1, "far away");
+    let aside = Vec4::new(1e6, 3e6, 0.05, 0.05);
+    assert!(draw([fine[0], fine[1], aside]) > 0, "far aside");
 }
