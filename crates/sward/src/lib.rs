@@ -10,6 +10,7 @@ pub mod interaction;
 pub mod lanes;
 pub mod math;
 pub mod model;
+pub mod picture;
 pub mod placement;
 pub mod plan;
 pub mod response;

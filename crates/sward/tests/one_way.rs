@@ -17,7 +17,7 @@ const STAGES: [&[&str]; 14] = [
     &["shading"],
     &["model", "view"],
     &["world"],
-    &["saved"],
+    &["saved", "picture"],
 ];
 
 /// Calls whose result depends on the machine, the compiler or the sign of zero.

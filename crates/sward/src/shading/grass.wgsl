@@ -32,6 +32,6 @@ fn shading_grass(albedo: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, light: S
     let towards = max(dot(normalize(light.sun.xz + vec2<f32>(1e-6, 0.0)), normalize(-view.xz + vec2<f32>(1e-6, 0.0))), 0.0);
     let mirrored = 0.45 * light.sky + light.sun_colour * (0.012 + 0.028 * towards * towards);
     let mirror = mirrored * (0.07 * open * max(normal.y, 0.0) * flat_angle * flat_angle * flat_angle);
-    let diffuse = albedo * (light.sun_colour * (lit * front * 0.3183) + sky * open);
-    return diffuse + passed * light.sun_colour * (lit * back * 0.3183) + light.sun_colour * (lit * shine * 0.035) + mirror;
+    let diffuse = albedo * (light.sun_colour * (lit * front * 0.31830987) + sky * open);
+    return diffuse + passed * light.sun_colour * (lit * back * 0.31830987) + light.sun_colour * (lit * shine * 0.035) + mirror;
 }

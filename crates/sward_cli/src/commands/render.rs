@@ -7,12 +7,11 @@ use std::time::Instant;
 
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
+use sward::picture::Picture;
 use sward::world::World;
-use sward_wgpu::gpu::Gpu;
-use sward_wgpu::picture::Picture;
-use sward_wgpu::studio::Studio;
 
-use crate::arguments::{self, Where};
+use crate::arguments::{self, Draw, Where};
+use crate::artist::{self, Artist};
 use crate::backend::Backend;
 use crate::console::Console;
 use crate::failure::Failure;
@@ -32,8 +31,8 @@ pub(crate) struct Shot {
 
 /// What was done, for the summary.
 pub(crate) struct Done {
-    /// Name of the adapter that drew.
-    pub(crate) adapter: String,
+    /// What drew.
+    pub(crate) artist: String,
     /// Where the simulation ran.
     pub(crate) on: String,
     /// Time of the work, s.
@@ -60,14 +59,14 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
             (frames.clone().map(shot).collect(), Some(folder.clone()), folder)
         }
     };
-    let done = draw(&opened, &shots, folder.as_deref(), arguments.size, arguments.on, console)?;
+    let done = draw(&opened, &shots, folder.as_deref(), arguments.size, (arguments.on, arguments.draw), console)?;
     let [width, height] = arguments.size;
     let what = match (shots.len(), shots.last()) {
         (1, Some(shot)) => format!("at {:.2} s", (shot.step as f64 - shot.behind) / f64::from(rate)),
         (frames, _) => format!("{frames} frames"),
     };
-    let (place, Done { adapter, on, seconds }) = (place.display(), done);
-    console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {adapter} in {seconds:.1} s", opened.name))
+    let (place, Done { artist, on, seconds }) = (place.display(), done);
+    console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {artist} in {seconds:.1} s", opened.name))
 }
 
 /// One picture at `time` in seconds, or at the scene's own moment.
@@ -89,20 +88,14 @@ pub(crate) fn draw(
     shots: &[Shot],
     folder: Option<&Path>,
     size: [u32; 2],
-    on: Where,
+    (on, draw): (Where, Draw),
     console: &Console,
 ) -> Result<Done, Failure> {
     let begun = Instant::now();
     let mut world = opened.world()?;
-    let gpu = Gpu::new()?;
-    let largest = gpu.device.limits().max_texture_dimension_2d;
-    if size.iter().any(|side| *side > largest) {
-        let adapter = &gpu.adapter_info.name;
-        let help = format!("type a --size of at most {largest}x{largest}");
-        return Err(Failure::input(format!("{}x{} is too large for {adapter}", size[0], size[1]), help));
-    }
-    let mut backend = Backend::choose(on, &gpu, &world)?;
-    let mut studio = Studio::new(&gpu, &world)?;
+    let gpu = artist::adapter(draw, on, console)?;
+    let mut artist = Artist::choose(draw, gpu.as_ref(), &world, size)?;
+    let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
     if let Some(folder) = folder {
         output::make_folder(folder)?;
     }
@@ -110,12 +103,12 @@ pub(crate) fn draw(
     let mut progress = Progress::new(steps + shots.len() as u64, "steps and pictures", console);
     for shot in shots {
         advance_to(&mut world, shot.step, &mut backend, &mut progress)?;
-        let picture = studio.draw_before(&gpu, &world, backend.cells(), shot.behind, size)?;
+        let picture = artist.draw(&mut world, &mut backend, shot.behind, size)?;
         output::write_whole(&shot.path, |writer| write_png(writer, &picture))?;
         progress.advance();
     }
-    let (adapter, on) = (gpu.adapter_info.name.clone(), backend.name().to_owned());
-    Ok(Done { adapter, on, seconds: begun.elapsed().as_secs_f64() })
+    let (artist, on) = (artist.name().to_owned(), backend.name().to_owned());
+    Ok(Done { artist, on, seconds: begun.elapsed().as_secs_f64() })
 }
 
 fn advance_to(world: &mut World, step: u64, backend: &mut Backend<'_>, progress: &mut Progress) -> Result<(), Failure> {

@@ -24,12 +24,12 @@ const BEND: &str = "response/continuum/bend.rs";
 /// Every constant of every `.wgsl` file.
 fn constants() -> Vec<(&'static str, Origin)> {
     vec![
-        ("SHADING_PERIOD", Source("render/frame.rs", "PATTERN_PERIOD")),
-        ("SHADING_SUN", Alone),
+        ("SHADING_PERIOD", Value(sward::shading::common::PERIOD)),
+        ("SHADING_SUN", Source("shading/sky.rs", "SUN")),
         ("SHADING_RAYLEIGH", Alone),
         ("SHADING_STRAW", Alone),
-        ("PLANTS_MEAN_LIT", Alone),
         ("RESOLVE_SAMPLES", Value(f64::from(render::SAMPLES))),
+        ("SHADING_MEAN_LIT", Value(f64::from(sward::shading::foliage::MEAN_LIT))),
         ("CONTACT_BAND", Source("interaction/contact.rs", "BAND")),
         ("PLACEMENT_PRESENT", Source(PLACEMENT, "PRESENT")),
         ("PLACEMENT_PLACE_X", Source(PLACEMENT, "PLACE_X")),

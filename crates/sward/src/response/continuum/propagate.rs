@@ -50,6 +50,10 @@ pub fn propagate_row(co: &Coefficients, input: &RowInput, old: &mut [&mut [f32];
         propagate_chunk::<8>(co, input, old, first, &mut peaks);
         first += 8;
     }
+    while first < n {
+        propagate_chunk::<1>(co, input, old, first, &mut peaks);
+        first += 1;
+    }
     RowPeak { bend: largest(&peaks[0]), rate: largest(&peaks[1]) }
 }
 
