@@ -14,5 +14,5 @@ fn main() -> std::process::ExitCode {
         ("paper", rastered::paper),
         ("endless", rastered::endless),
     ];
-    adapter::run(tests, |_, _| false)
+    adapter::run(tests, |_, _| None)
 }
