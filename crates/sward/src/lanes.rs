@@ -12,6 +12,28 @@ pub enum Lanes {
     Widest,
 }
 
+/// Work to be compiled for each set of instructions. `run` must be `#[inline(always)]`, with all it calls in its loops: a closure
+/// would not do, since the compiler may leave it outside, compiled for the baseline.
+pub trait Work {
+    /// What comes of it.
+    type Output;
+
+    /// Does it.
+    fn run(self) -> Self::Output;
+}
+
+/// Work as pulp takes it.
+struct Inlined<W>(W);
+
+impl<W: Work> pulp::NullaryFnOnce for Inlined<W> {
+    type Output = W::Output;
+
+    #[inline(always)]
+    fn call(self) -> W::Output {
+        self.0.run()
+    }
+}
+
 impl Lanes {
     /// The choices this machine has.
     pub fn available() -> Vec<Self> {
@@ -24,18 +46,18 @@ impl Lanes {
         lanes
     }
 
-    /// Runs `work`, compiled for this choice. Only what is inlined into `work` profits.
-    pub fn run<R>(self, work: impl FnOnce() -> R) -> R {
+    /// Runs `work`, compiled for this choice.
+    pub fn run<W: Work>(self, work: W) -> W::Output {
         match self {
-            Self::Baseline => work(),
+            Self::Baseline => work.run(),
             #[cfg(target_arch = "x86_64")]
             Self::Wide => match pulp::x86::V3::try_new() {
-                Some(level) => level.vectorize(work),
-                None => work(),
+                Some(level) => level.vectorize(Inlined(work)),
+                None => work.run(),
             },
             #[cfg(not(target_arch = "x86_64"))]
-            Self::Wide => work(),
-            Self::Widest => pulp::Arch::new().dispatch(work),
+            Self::Wide => work.run(),
+            Self::Widest => pulp::Arch::new().dispatch(Inlined(work)),
         }
     }
 }

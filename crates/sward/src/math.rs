@@ -63,6 +63,13 @@ pub fn clamped(x: f32, low: f32, high: f32) -> f32 {
     lower(upper(x, low), high)
 }
 
+/// A smooth step from 0 at `low` to 1 at `high` (`smoothstep` in WGSL).
+#[inline(always)]
+pub fn smoothstep(low: f32, high: f32, x: f32) -> f32 {
+    let t = clamped((x - low) / (high - low), 0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
+
 /// The whole number at or below x (`floor` in WGSL), 0 for NaN; beyond ±2³¹ the nearest `i32`.
 #[inline(always)]
 pub fn floored(x: f32) -> i32 {

@@ -12,7 +12,7 @@ use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::scene::{Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
 use crate::state::BodyState;
 use crate::terrain::{Detail, Terrain, is_tiff};
-use crate::wind::Source;
+use crate::wind::{Flow, Images, Source, Tile};
 
 /// Where a scene's files (terrain, bodies) come from.
 pub trait Assets {
@@ -94,10 +94,45 @@ pub struct Model {
     pub stands: Vec<StandModel>,
     /// Wind sources.
     pub sources: Vec<Source>,
+    /// Wind of places.
+    pub blowers: Vec<Blower>,
+    /// Their images.
+    pub images: Arc<Images>,
     /// The wind changes with time.
     pub gusty: bool,
     /// Bodies in the scene's order.
     pub bodies: Vec<BodyModel>,
+}
+
+/// A source of wind that has a place.
+#[derive(Clone, Debug)]
+pub struct Blower {
+    /// What the author wrote.
+    pub source: crate::scene::Footprint,
+    /// How the air moves.
+    pub flow: Flow,
+    /// The interactor it stays with.
+    pub follow: Option<usize>,
+}
+
+/// The scene's footprints and the pictures they name.
+fn blowers(scene: &Scene, assets: &dyn Assets) -> Result<(Vec<Blower>, Images), SceneError> {
+    let (mut list, mut images) = (Vec::new(), Images::default());
+    for source in &scene.wind {
+        let WindSource::Footprint(source) = source else { continue };
+        let flow = match &source.flow {
+            crate::scene::Flow::Outward => Flow::Outward,
+            crate::scene::Flow::Swirl => Flow::Swirl,
+            crate::scene::Flow::Image(image) => {
+                let bad = |message: String| SceneError::in_file(&image.path, message);
+                let bytes = assets.read(&image.path).map_err(|why| bad(format!("cannot be read: {why}")))?;
+                Flow::Image(images.add_png(&bytes).map_err(bad)?)
+            }
+        };
+        let follow = source.follow.as_ref().and_then(|name| scene.interactors.iter().position(|body| &body.name == name));
+        list.push(Blower { source: source.clone(), flow, follow });
+    }
+    Ok((list, images))
 }
 
 fn half_of(shape: &Shape, pieces: &[Piece]) -> [f64; 2] {
@@ -220,12 +255,18 @@ pub fn rebased(mut scene: Scene) -> Scene {
     let shift = scene.origin.map(|patch| f64::from(patch) * f64::from(scene.field.patch_side));
     let move_to = |at: &mut [f64; 2]| (at[0], at[1]) = (at[0] - shift[0], at[1] - shift[1]);
     let move_eye = |at: &mut [f64; 3]| (at[0], at[2]) = (at[0] - shift[0], at[2] - shift[1]);
+    let move_path = |path: &mut ScenePath| match path {
+        ScenePath::Still(path) => move_to(&mut path.at),
+        ScenePath::Driven(path) => move_to(&mut path.at),
+        ScenePath::Circle(path) => move_to(&mut path.centre),
+        ScenePath::Keyframes(path) => path.keys.iter_mut().for_each(|key| move_to(&mut key.at)),
+    };
     for interactor in &mut scene.interactors {
-        match &mut interactor.path {
-            ScenePath::Still(path) => move_to(&mut path.at),
-            ScenePath::Driven(path) => move_to(&mut path.at),
-            ScenePath::Circle(path) => move_to(&mut path.centre),
-            ScenePath::Keyframes(path) => path.keys.iter_mut().for_each(|key| move_to(&mut key.at)),
+        move_path(&mut interactor.path);
+    }
+    for source in &mut scene.wind {
+        if let WindSource::Footprint(print) = source {
+            move_path(&mut print.path);
         }
     }
     if scene.camera.follow.is_none() {
@@ -245,9 +286,10 @@ impl Model {
         let sources: Vec<Source> = scene
             .wind
             .iter()
-            .map(|source| match source {
-                WindSource::Uniform(wind) => Source::Uniform { velocity: wind.velocity },
-                WindSource::Natural(wind) => Source::Natural { velocity: wind.velocity, turbulence: wind.turbulence },
+            .filter_map(|source| match source {
+                WindSource::Uniform(wind) => Some(Source::Uniform { velocity: wind.velocity }),
+                WindSource::Natural(wind) => Some(Source::Natural { velocity: wind.velocity, turbulence: wind.turbulence }),
+                WindSource::Footprint(_) => None,
             })
             .collect();
         let field = scene.field.patches.map(|count| {
@@ -255,6 +297,7 @@ impl Model {
             [low, [low[0] + count[0] as i32, low[1] + count[1] as i32]]
         });
         let stands = stand_models(scene, &sources)?;
+        let (blowers, images) = blowers(scene, assets)?;
         Ok(Self {
             dt: 1.0 / f64::from(scene.steps_per_second),
             rate: scene.steps_per_second,
@@ -264,7 +307,14 @@ impl Model {
             gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0)),
             stands,
             sources,
+            blowers,
+            images: Arc::new(images),
             bodies: body_models(scene, assets)?,
         })
+    }
+
+    /// What the kernels' `wind_tile_load` reads: the noise tile, then the images of footprints.
+    pub fn wind_texels(&self) -> Vec<[f32; 2]> {
+        [Tile::shipped().texels(), self.images.texels()].concat()
     }
 }

@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
+use serde::{Deserialize, Serialize};
+
 /// No slot.
 pub const NONE: u32 = u32::MAX;
 
@@ -60,7 +62,7 @@ impl Fingerprint {
 }
 
 /// A body now and one step ago.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BodyState {
     /// Pose after the last step; `None` while the body is away.
     pub pose: Option<crate::interaction::Pose>,
@@ -90,7 +92,7 @@ pub struct StandState {
 }
 
 /// One awake patch.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Awake {
     /// Where its cells are stored.
     pub slot: u32,
@@ -157,7 +159,7 @@ impl Ground {
 }
 
 /// What activation needs to know of a patch after a step: squared deviations max(|β − β_eq|², |ω|²).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Largest in the patch.
     pub largest: f32,
@@ -168,7 +170,7 @@ pub struct Summary {
 }
 
 /// What happened so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counters {
     /// Patches woken.
     pub woken: u64,

@@ -16,8 +16,8 @@ struct TerrainAnchor {
 
 fn terrain_mirrored(index: i32, samples: i32) -> i32 {
     let period = select(1, 2 * (samples - 1), samples > 1);
-    var within = index % period;
-    within = select(within, within + period, within < 0);
+    // Mirrored about sample 0 it is even, and OpenGL leaves the remainder of negative numbers open.
+    let within = abs(index) % period;
     return select(period - within, within, within < samples);
 }
 

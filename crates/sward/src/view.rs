@@ -1,9 +1,9 @@
 //! Where the camera is: a focus of the simulation and the eye of the picture.
 
+use crate::interaction::Pose;
 use crate::math;
 use crate::model::Model;
 use crate::scene::Scene;
-use crate::state::State;
 
 /// A camera at one moment, m from the origin patch's corner, f64.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,11 +36,10 @@ fn on_keys(scene: &Scene, time: f64) -> ([f64; 3], [f64; 3]) {
 }
 
 impl View {
-    /// The scene's camera at `time` \[s\]: on its keys, behind the body it follows, or still. Heights are above the ground.
-    pub fn of(scene: &Scene, model: &Model, state: &State, time: f64) -> Self {
+    /// The scene's camera at `time` \[s\]: on its keys, with the body it follows at `followed`, or still. Heights are above the ground.
+    pub fn of(scene: &Scene, model: &Model, followed: Option<Pose>, time: f64) -> Self {
         let (mut eye, mut target) = on_keys(scene, time);
-        let followed = scene.camera.follow.as_ref().and_then(|name| scene.interactors.iter().position(|body| &body.name == name));
-        if let Some(pose) = followed.and_then(|index| state.bodies.get(index)).and_then(|body| body.pose.as_ref()) {
+        if let Some(pose) = followed {
             let (sine, cosine) = math::sin_cos_f64(pose.yaw);
             for point in [&mut eye, &mut target] {
                 let [x, _, z] = *point;

@@ -3,13 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::activation::{BAND, Circumstances, activate, keep};
-use crate::interaction::{Footprint, Grid, Piece, Pose, pose_on_path, stand_on, swept, swept_between};
+use crate::interaction::{Footprint, Grid, Piece, Pose, Station, pose_on_path, stand_on, station, swept, swept_between};
 use crate::lanes::Lanes;
-use crate::model::{Assets, Model, StandModel, rebased};
+use crate::model::{Assets, Blower, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, patches_under};
 use crate::response::continuum;
 use crate::scene::{Beyond, Path, Scene, SceneError};
-use crate::state::{BodyState, NONE, PatchKey, State, Summary, TILE};
+use crate::state::{BodyState, NONE, PatchKey, StandState, State, Summary, TILE};
 use crate::view::View;
 use crate::wind::WindField;
 
@@ -46,18 +46,20 @@ impl World {
     pub fn new(scene: Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
         let scene = rebased(scene);
         let model = Model::compile(&scene, assets)?;
-        let mut state = State { bodies: vec![BodyState::default(); scene.interactors.len()], ..State::default() };
-        for stand in &model.stands {
-            let slots = 0..scene.budget.patches;
-            let lag_slots = 0..lag_capacity(&scene, stand);
-            state.stands.push(crate::state::StandState { free: slots.collect(), lag_free: lag_slots.collect(), ..Default::default() });
-        }
+        let state = State { bodies: vec![BodyState::default(); scene.interactors.len()], ..State::default() };
         let mut world = Self { scene, model, state, lanes: Lanes::default() };
+        world.state.stands = world.model.stands.iter().map(|stand| world.empty_stand(stand)).collect();
         for index in 0..world.state.bodies.len() {
             let pose = world.pose(index, 0.0);
             (world.state.bodies[index].pose, world.state.bodies[index].before) = (pose, pose);
         }
         Ok(world)
+    }
+
+    /// A stand that sleeps everywhere.
+    pub(crate) fn empty_stand(&self, stand: &StandModel) -> StandState {
+        let (slots, lag_slots) = (0..self.scene.budget.patches, 0..lag_capacity(&self.scene, stand));
+        StandState { free: slots.collect(), lag_free: lag_slots.collect(), ..Default::default() }
     }
 
     /// Time of the state, s.
@@ -67,7 +69,28 @@ impl World {
 
     /// The scene's camera at the time of the state.
     pub fn camera(&self) -> View {
-        View::of(&self.scene, &self.model, &self.state, self.time())
+        self.camera_before(0.0)
+    }
+
+    /// How many steps, 0 to 1, the moment to be shown lies before the state, for a caller of [`World::advance`]: what is on the screen
+    /// then moves evenly at any rate of frames, one step late.
+    pub fn behind(&self) -> f64 {
+        (1.0 - self.state.pending_seconds / self.model.dt).clamp(0.0, 1.0)
+    }
+
+    /// The camera `behind` steps (0 to 1) before the state.
+    pub fn camera_before(&self, behind: f64) -> View {
+        let scene = &self.scene;
+        let followed = scene.camera.follow.as_ref().and_then(|name| scene.interactors.iter().position(|body| &body.name == name));
+        let pose = followed.and_then(|body| self.pose_before(body, behind));
+        View::of(scene, &self.model, pose, self.time() - behind * self.model.dt)
+    }
+
+    /// Where a body is `behind` steps (0 to 1) before the state; `None` while it is away.
+    pub fn pose_before(&self, body: usize, behind: f64) -> Option<Pose> {
+        let state = self.state.bodies.get(body)?;
+        let (before, pose) = (state.before?, state.pose?);
+        Some(if behind > 0.0 { pose.towards(&before, behind) } else { pose })
     }
 
     /// One fixed step on the CPU.
@@ -181,7 +204,35 @@ impl World {
 
     /// The wind of the coming step on the nodes of a stand.
     pub fn wind(&self, stand: &StandModel) -> WindField {
-        WindField::at(&self.model.sources, self.state.step, self.model.dt, stand.spacing * f64::from(continuum::NODE_CELLS))
+        self.wind_before(stand, 0.0)
+    }
+
+    /// The wind `behind` steps (0 to 1) before the state.
+    pub fn wind_before(&self, stand: &StandModel, behind: f64) -> WindField {
+        let node = stand.spacing * f64::from(continuum::NODE_CELLS);
+        let mut wind = WindField::before(&self.model.sources, self.state.step, behind, self.model.dt, node);
+        wind.images = self.model.images.clone();
+        wind.footprints = self.model.blowers.iter().filter_map(|blower| self.blown(blower, stand.cells, node, behind)).collect();
+        wind
+    }
+
+    /// The footprint of a blower on the nodes of a stand; `None` where nothing reaches the ground.
+    fn blown(&self, blower: &Blower, cells: u32, node: f64, behind: f64) -> Option<crate::wind::Footprint> {
+        let source = &blower.source;
+        let at = match blower.follow {
+            Some(body) => {
+                let pose = self.pose_before(body, behind)?;
+                let clearance = pose.height - self.model.terrain.height_at(pose.ground[0], pose.ground[1]);
+                Station { ground: pose.ground, yaw: pose.yaw, clearance }
+            }
+            None => station(&source.path, f64::from(source.height), self.time() - behind * self.model.dt),
+        };
+        let share = 1.0 - at.clearance / f64::from(source.ceiling);
+        let speed = source.speed * share.clamp(0.0, 1.0) as f32;
+        let (sine, cosine) = crate::math::sin_cos_f64(at.yaw);
+        let turn = [cosine as f32, sine as f32];
+        let intervals = cells / continuum::NODE_CELLS;
+        crate::wind::Footprint::new(blower.flow, &self.model.images, at.ground, turn, source.radius, speed, intervals, node)
     }
 
     fn pose(&self, index: usize, time: f64) -> Option<Pose> {
@@ -249,6 +300,9 @@ impl World {
                 touched.insert(patch);
             }
         }
+        if stand.species.continuum.wind > 0.0 {
+            self.wind(stand).footprints.iter().for_each(|print| touched.extend(blown_patches(print, self.model.patch_side)));
+        }
         let budget = &self.scene.budget;
         let by = Circumstances {
             step: self.state.step,
@@ -310,6 +364,19 @@ impl World {
         }
         plan
     }
+}
+
+/// Patches that a footprint reaches: those of its square.
+fn blown_patches(print: &crate::wind::Footprint, patch_side: f64) -> impl Iterator<Item = PatchKey> + use<> {
+    // Images turn within the circle round their square.
+    let reach = f64::from(print.radius) * if print.kind == 2 { std::f64::consts::SQRT_2 } else { 1.0 };
+    let span = |axis: usize| {
+        let centre = f64::from(print.centre[axis]) * f64::from(print.part);
+        let patch = |metres: f64| print.patch[axis].saturating_add((metres / patch_side).floor() as i32);
+        patch(centre - reach)..=patch(centre + reach)
+    };
+    let (xs, zs) = (span(0), span(1));
+    zs.flat_map(move |z| xs.clone().map(move |x| [x, z]))
 }
 
 /// Whether a body flies too high to touch anything: its underside against the ground below its centre, with room for slopes.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// Every module of the crate, earlier stages first; those of one line may know each other.
-const STAGES: [&[&str]; 14] = [
+const STAGES: [&[&str]; 15] = [
     &["math", "lanes"],
     &["scene"],
     &["terrain"],
@@ -18,6 +18,7 @@ const STAGES: [&[&str]; 14] = [
     &["shading"],
     &["model", "view"],
     &["world"],
+    &["saved", "picture"],
 ];
 
 /// Calls whose result depends on the machine, the compiler or the sign of zero.

@@ -25,7 +25,7 @@ const EXAMPLES: &str = "Examples:\n  \
     sward simulate lawn --steps 600 -o data/     the state as NumPy arrays\n  \
     sward show my_scene.ron                      what a scene contains and costs\n\n\
     Environment:\n  \
-    SWARD_ADAPTER=part of a name                 which graphics adapter to use\n\n";
+    SWARD_ADAPTER=part of a name                 which graphics adapter to use; none: do without\n\n";
 
 /// Vegetation that reacts: render, simulate, compare and inspect scenes.
 #[derive(Debug, Parser)]
@@ -90,9 +90,12 @@ pub(crate) struct Render {
     /// Frames per second
     #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=1000), requires = "frames")]
     pub(crate) fps: u32,
-    /// Where the simulation runs; the picture always needs an adapter
+    /// Where the simulation runs
     #[arg(long, value_enum, default_value_t = Where::Auto)]
     pub(crate) on: Where,
+    /// What draws the picture
+    #[arg(long, value_enum, default_value_t = Draw::Auto)]
+    pub(crate) draw: Draw,
 }
 
 /// `sward simulate`.
@@ -155,6 +158,17 @@ pub(crate) enum Where {
     Cpu,
     /// The graphics adapter, also a software one
     Gpu,
+}
+
+/// What draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Draw {
+    /// The graphics adapter if there is one, else the CPU
+    Auto,
+    /// The graphics adapter, also a software one
+    Gpu,
+    /// The CPU: nothing but this program is needed
+    Cpu,
 }
 
 /// Where the simulation runs, where results must not depend on what the machine has.

@@ -17,10 +17,13 @@ pub(crate) enum Backend<'a> {
 }
 
 impl<'a> Backend<'a> {
-    /// The GPU for `Where::Gpu`, or for `Where::Auto` where it is hardware.
-    pub(crate) fn choose(on: Where, gpu: &'a Gpu, world: &World) -> Result<Self, Failure> {
-        let hardware = gpu.adapter_info.device_type != wgpu::DeviceType::Cpu;
-        if on == Where::Gpu || (on == Where::Auto && hardware) { Self::on_gpu(gpu, world) } else { Ok(Self::Cpu) }
+    /// The GPU for `Where::Gpu`, or for `Where::Auto` where it is hardware; the CPU where there is none.
+    pub(crate) fn choose(on: Where, gpu: Option<&'a Gpu>, world: &World) -> Result<Self, Failure> {
+        let hardware = |gpu: &&Gpu| gpu.adapter_info.device_type != wgpu::DeviceType::Cpu;
+        match gpu.filter(|gpu| on == Where::Gpu || (on == Where::Auto && hardware(gpu))) {
+            Some(gpu) => Self::on_gpu(gpu, world),
+            None => Ok(Self::Cpu),
+        }
     }
 
     /// The GPU, from the world's present state on.

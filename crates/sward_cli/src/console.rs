@@ -27,4 +27,11 @@ impl Console {
     pub(crate) fn summary(&self, text: &str) -> Result<(), Failure> {
         if self.quiet { Ok(()) } else { self.answer(text) }
     }
+
+    /// Says on stderr, in one line, what is done otherwise than one might expect; not where silence was asked for.
+    pub(crate) fn note(&self, text: &str) {
+        if !self.quiet {
+            eprintln!("sward: {text}");
+        }
+    }
 }

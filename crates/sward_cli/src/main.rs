@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod artist;
 mod backend;
 mod commands;
 mod console;

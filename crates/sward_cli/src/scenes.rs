@@ -35,6 +35,7 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "lawn" at 6.0;
     "reed" at 5.0;
     "crossing" at 7.0;
+    "downwash" at 6.5;
     "paper" at 5.2;
     "endless" at 5.0;
 };

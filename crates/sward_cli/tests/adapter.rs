@@ -53,10 +53,13 @@ fn without_arguments_a_first_picture_is_made() {
 fn render_writes_one_picture_of_the_asked_size() {
     let place = Place::with_small("render");
     for on in ["auto", "cpu", "gpu"] {
-        let text = said(&place, &["render", "small.ron", "--size", "64x36", "--time", "0.1", "--on", on]);
+        let text = said(&place, &["render", "small.ron", "--size", "64x36", "--time", "0.1", "--on", on, "--draw", "gpu"]);
         assert!(text.contains("small.png") && text.contains("64x36") && text.contains("0.10 s"), "{text}");
         assert_eq!(size_of(&place, "small.png"), [64, 36]);
     }
+    // Cells stepped on the GPU, drawn on the CPU.
+    let text = said(&place, &["render", "small.ron", "--size", "64x36", "--time", "0.1", "--on", "gpu", "--draw", "cpu"]);
+    assert!(text.contains("drawn on the CPU") && !text.contains("simulated on the CPU"), "{text}");
     assert_eq!(said(&place, &["render", "small.ron", "--size", "8x8", "--time", "0", "-o", "a.png", "-q"]), "");
     assert_eq!(place.files(), ["a.png", "small.png", "small.ron"]);
 }

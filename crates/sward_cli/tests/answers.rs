@@ -97,20 +97,24 @@ fn help_is_short_with_h_and_has_examples_with_help() {
 }
 
 #[test]
-fn without_an_adapter_a_picture_fails_and_writes_nothing() {
+fn without_an_adapter_what_needs_one_fails_and_writes_nothing() {
     let place = Place::with_small("no_adapter");
-    let nobody = [("SWARD_ADAPTER", "no adapter has this name")];
-    let commands: [&[&str]; 5] = [
-        &[],
-        &["render", "small.ron"],
-        &["render", "small.ron", "--frames", "0..2", "-o", "clip"],
+    let commands: [&[&str]; 6] = [
+        &["render", "small.ron", "--draw", "gpu"],
+        &["render", "small.ron", "--on", "gpu"],
+        &["render", "small.ron", "--on", "gpu", "--draw", "cpu"],
+        &["render", "small.ron", "--draw", "gpu", "--frames", "0..2", "-o", "clip"],
         &["compare", "small.ron"],
         &["simulate", "small.ron", "--steps", "2", "--on", "gpu", "-o", "data"],
     ];
     for arguments in commands {
-        let ran = place.sward_with(arguments, &nobody);
+        let ran = place.sward_with(arguments, &[("SWARD_ADAPTER", "none")]);
         assert_eq!((ran.status, ran.text.as_str()), (1, ""), "{arguments:?}: {}", ran.errors);
-        assert!(ran.errors.contains("adapter"), "{}", ran.errors);
+        assert!(ran.errors.contains("no graphics adapter found"), "{}", ran.errors);
     }
-    assert_eq!(place.files(), ["small.ron"]);
+    // Whoever names an adapter wants that one, not the CPU.
+    if let ran @ support::Ran { status: 1, .. } = place.sward_with(&["render", "small.ron"], &[("SWARD_ADAPTER", "nobody has this name")]) {
+        assert!(ran.errors.contains("adapter"), "{}", ran.errors);
+        assert_eq!(place.files(), ["small.ron"]);
+    }
 }

@@ -97,7 +97,7 @@ fn finds_terrain_beside_the_scene_above_it_and_among_the_shipped() {
 fn fails_with_sizes_times_and_frames_out_of_range() {
     let place = Place::new("numbers");
     place.write("good.ron", GOOD);
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 15] = [
         (&["--size", "0x540"], "960x540"),
         (&["--size", "960x0"], "960x540"),
         (&["--size", "16385x16"], "16384"),
@@ -112,6 +112,7 @@ fn fails_with_sizes_times_and_frames_out_of_range() {
         (&["--frames", "0..5", "--time", "1"], "cannot be used with"),
         (&["--fps", "30"], "--frames"),
         (&["--on", "moon"], "auto, cpu, gpu"),
+        (&["--draw", "crayon"], "auto, gpu, cpu"),
     ];
     for (options, advice) in cases {
         place.refuses(&[&["render", "good.ron"], options].concat(), &[advice]);

@@ -61,7 +61,8 @@ pub enum GpuError {
 }
 
 impl Gpu {
-    /// Opens the best adapter, or the one whose name contains `SWARD_ADAPTER` (case does not matter).
+    /// Opens the best adapter, or the one whose name contains `SWARD_ADAPTER` (case does not matter). `SWARD_ADAPTER=none`: as if there
+    /// were no adapter.
     ///
     /// `SWARD_VALIDATION=1` switches the driver's validation layer on.
     ///
@@ -77,6 +78,9 @@ impl Gpu {
     /// # Errors
     /// As [`Gpu::new`].
     pub async fn open(wanted: Option<&str>) -> Result<Self, GpuError> {
+        if wanted == Some("none") {
+            return Err(GpuError::NoAdapter);
+        }
         let mut adapters = Vec::new();
         // OpenGL is opened only where nothing better exists.
         for backends in [wgpu::Backends::PRIMARY, wgpu::Backends::SECONDARY] {

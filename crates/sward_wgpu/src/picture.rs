@@ -1,13 +1,17 @@
 //! A picture of a scene, without a window: shadow pass, main pass, resolve, read-back.
 
 use sward::geometry::mesh::Mesh;
+use sward::geometry::relief::Relief;
+pub use sward::picture::Picture;
+use sward::picture::frame::{FrameInput, FrameUniform};
+use sward::picture::subject::SHADOW_REACH;
+use sward::shading::look::{Look, Turf};
 
 use crate::gpu::{Gpu, GpuError};
 use crate::render::bodies::BodyPass;
-use crate::render::frame::{FrameInput, FrameUniform};
-use crate::render::ground::{GroundPass, Relief, TurfUniform};
+use crate::render::ground::GroundPass;
 use crate::render::plant_pass::PlantPass;
-use crate::render::plants::{Look, PlantDraws};
+use crate::render::plants::PlantDraws;
 use crate::render::shadow::ShadowMap;
 use crate::render::sky::SkyPass;
 use crate::render::targets::{Resolve, Targets};
@@ -25,19 +29,8 @@ pub struct Setup {
 
 impl Default for Setup {
     fn default() -> Self {
-        Self { relief: Relief::flat(0.0), looks: vec![Look::of(sward::shading::clump::Kind::Meadow)], shadow_reach: 36.0 }
+        Self { relief: Relief::flat(0.0), looks: vec![Look::of(sward::shading::clump::Kind::Meadow)], shadow_reach: SHADOW_REACH }
     }
-}
-
-/// A finished picture.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
-    /// Pixels per row.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    /// sRGB code values and opaque alpha, row-major from the top left.
-    pub rgba8: Vec<u8>,
 }
 
 /// Draws pictures of one scene.
@@ -72,7 +65,7 @@ impl Renderer {
         // Only the mapping is needed from here on; the samples live on the GPU.
         let renderer = Self {
             sky: SkyPass::new(gpu, &frame),
-            ground: GroundPass::new(gpu, &frame, &shadow, &relief, turf(&looks[0])),
+            ground: GroundPass::new(gpu, &frame, &shadow, &relief, Turf::of(&looks)),
             bodies: BodyPass::new(gpu, &frame, &shadow),
             plants: PlantPass::new(gpu, &looks),
             resolve: Resolve::new(gpu),
@@ -89,7 +82,7 @@ impl Renderer {
         Ok(renderer)
     }
 
-    /// Hands a body's mesh over; the answer is its number in [`crate::render::frame::BodyDraw`].
+    /// Hands a body's mesh over; the answer is its number in [`sward::picture::frame::BodyDraw`].
     pub fn add_mesh(&mut self, gpu: &Gpu, mesh: &Mesh) -> usize {
         self.bodies.add_mesh(gpu, mesh)
     }
@@ -168,15 +161,5 @@ impl Renderer {
         let bytes = slice.get_mapped_range();
         let rgba8 = bytes.chunks_exact(row as usize).flat_map(|line| &line[..4 * width as usize]).copied().collect();
         Ok(Picture { width, height, rgba8 })
-    }
-}
-
-/// The ground takes the mean colour of the first look's plants.
-fn turf(look: &Look) -> TurfUniform {
-    let mean = sward::shading::clump::paint(look.kind, 0).mean();
-    TurfUniform {
-        root: [look.root[0], look.root[1], look.root[2], (look.dryness + mean[1]).min(1.0)],
-        tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
-        mean: [mean[0], look.cover(), look.fade[1], 0.0],
     }
 }

@@ -10,10 +10,14 @@ mod controls;
 mod kernels;
 #[path = "support/maths.rs"]
 mod maths;
+#[path = "support/prepared.rs"]
+mod prepared;
 #[path = "support/runs.rs"]
 mod runs;
 #[path = "support/scenes.rs"]
 mod scenes;
+#[path = "support/shading.rs"]
+mod shading;
 
 fn main() -> std::process::ExitCode {
     let tests: &[adapter::Test] = &[
@@ -30,6 +34,17 @@ fn main() -> std::process::ExitCode {
         ("limit", continuum::limit),
         ("rest", continuum::rest),
         ("lags", continuum::lags),
+        ("patterns", shading::patterns),
+        ("tones", shading::tones),
+        ("skies", shading::skies),
+        ("leaves", shading::leaves),
+        ("cards_pixels", shading::cards_pixels),
+        ("grounds", shading::grounds),
+        ("bodies_lit", shading::bodies),
+        ("rungs", shading::rungs),
+        ("reliefs", shading::reliefs),
+        ("denser_fog_is_found", shading::denser_fog_is_found),
+        ("plants_solved", prepared::plants_solved),
         ("truck_on_hills", scenes::truck_on_hills),
         ("lawn_and_sphere", scenes::lawn_and_sphere),
         ("bodies_in_reed", scenes::bodies_in_reed),
@@ -43,5 +58,5 @@ fn main() -> std::process::ExitCode {
         ("swapped_planes_are_found", controls::swapped_planes_are_found),
         ("hand_over", controls::hand_over),
     ];
-    adapter::run(tests, |_, _| false)
+    adapter::run(tests, |_, _| None)
 }

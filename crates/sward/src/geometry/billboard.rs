@@ -19,6 +19,18 @@ pub fn segment(bend: [f32; 2], length: f32) -> [f32; 3] {
     [bend[0] * along * length, cosine * length, bend[1] * along * length]
 }
 
+/// Bend of an upper segment some share of a step ago, from what is known now: the cascade's own step, taken back.
+///
+/// `here` is its bend now, `below` that of the segment under it now and then \[rad\]. `gains` as of
+/// [`crate::response::continuum::LagCoefficients::past`]; `behind` in steps, 0 to 1.
+pub fn earlier(here: [f32; 2], below: [[f32; 2]; 2], gains: [f32; 4], behind: f32) -> [f32; 2] {
+    let squared = |bend: [f32; 2]| bend[0] * bend[0] + bend[1] * bend[1];
+    let recovering = squared(below[0]) < squared(here);
+    let (gain, share) = if recovering { (gains[1], gains[3]) } else { (gains[0], gains[2]) };
+    let axis = |k: usize| here[k] - behind * gain * (below[0][k] - here[k]) + share * (below[1][k] - below[0][k]);
+    [axis(0), axis(1)]
+}
+
 /// Joints of a spine, root first: `bends[i]` of each segment, plant `height` m, `ground(x, z)` m at the same coordinates as `root`.
 pub fn spine(root: [f32; 3], height: f32, bends: &[[f32; 2]], ground: impl Fn(f32, f32) -> f32) -> Vec<[f32; 3]> {
     let length = height / bends.len() as f32;

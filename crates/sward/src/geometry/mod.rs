@@ -3,7 +3,10 @@
 //! To add a representation: a file pair `x.rs` + `x.wgsl`, a variant of [`crate::scene::Representation`] and an arm in the renderer.
 
 pub mod billboard;
+pub mod card;
 pub mod figure;
 pub mod mesh;
+pub mod relief;
+pub mod rings;
 pub mod truck;
 mod wheel;

@@ -15,5 +15,5 @@ pub const WGSL: &str = include_str!("contact.wgsl");
 pub use contact::{Contact, ContactEdge, Hit, contact_at};
 pub use convex::{Footprint, Grid, swept, swept_between};
 pub use figure::FigureBody;
-pub use motion::{Pose, pose_on_path, stand as stand_on};
+pub use motion::{Pose, Station, pose_on_path, stand as stand_on, station};
 pub use piece::{Piece, Underside, pieces_of};

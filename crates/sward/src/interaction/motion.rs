@@ -1,11 +1,13 @@
 //! Where a body is at a time, and how it stands on the ground. f64 and our own functions throughout: the same on every machine.
 
+use serde::{Deserialize, Serialize};
+
 use crate::math;
 use crate::scene::{Interactor, Key, Path};
 use crate::terrain::Terrain;
 
 /// A body on the ground.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Centre, m from the authored origin (x, z).
     pub ground: [f64; 2],
@@ -17,12 +19,29 @@ pub struct Pose {
     pub slope: [f64; 2],
 }
 
+impl Pose {
+    /// The pose a `share` of the way to `later`, 0 to 1: straight, turning the shorter way.
+    pub fn towards(&self, later: &Self, share: f64) -> Self {
+        let mix = |a: f64, b: f64| a + (b - a) * share;
+        let both = |a: [f64; 2], b: [f64; 2]| [mix(a[0], b[0]), mix(a[1], b[1])];
+        Self {
+            ground: both(self.ground, later.ground),
+            yaw: self.yaw + math::wrapped_angle(later.yaw - self.yaw) * share,
+            height: mix(self.height, later.height),
+            slope: both(self.slope, later.slope),
+        }
+    }
+}
+
 /// Position, yaw and clearance on a path before it meets the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Station {
-    ground: [f64; 2],
-    yaw: f64,
-    clearance: f64,
+pub struct Station {
+    /// Position, m from the authored origin (x, z).
+    pub ground: [f64; 2],
+    /// Turn about +Y, rad.
+    pub yaw: f64,
+    /// Height above the ground, m.
+    pub clearance: f64,
 }
 
 /// Tangent at key `k`: slope of the line through its neighbours in time.
@@ -72,9 +91,9 @@ fn on_keys(keys: &[Key], repeat: bool, clearance: f64, time: f64) -> Station {
     Station { ground, yaw, clearance: clear(a) + (clear(b) - clear(a)) * s }
 }
 
-fn station(interactor: &Interactor, time: f64) -> Station {
-    let clearance = f64::from(interactor.clearance);
-    match &interactor.path {
+/// The place on a path at `time` \[s\]; `clearance` \[m\] where the path names none. Driven paths stay where they begin.
+pub fn station(path: &Path, clearance: f64, time: f64) -> Station {
+    match path {
         Path::Still(still) => Station { ground: still.at, yaw: f64::from(still.yaw), clearance },
         Path::Driven(driven) => Station { ground: driven.at, yaw: f64::from(driven.yaw), clearance },
         Path::Keyframes(path) => on_keys(&path.keys, path.repeat, clearance, time),
@@ -103,6 +122,6 @@ pub fn stand(ground: [f64; 2], yaw: f64, clearance: f64, half: [f64; 2], follow:
 
 /// Pose of an interactor on its own path at `time` \[s\]. `half` as in its model: half width and half length, m.
 pub fn pose_on_path(interactor: &Interactor, half: [f64; 2], terrain: &Terrain, time: f64) -> Pose {
-    let station = station(interactor, time);
+    let station = station(&interactor.path, f64::from(interactor.clearance), time);
     stand(station.ground, station.yaw, station.clearance, half, interactor.follow_ground, terrain)
 }

@@ -67,7 +67,7 @@ pub use shape::{BoxShape, Compound, Ellipsoid, MeshShape, Part, Polygon, Shape, 
 pub use stand::{Representation, Response, Species, Stand};
 pub use terrain::{Flat, Image, Terrain};
 pub use value::{FieldInfo, Value};
-pub use wind::{Natural, Uniform, WindSource};
+pub use wind::{Flow, FlowImage, Footprint, MAX_FOOTPRINTS, Natural, Uniform, WindSource};
 
 use parameters::parameters;
 

@@ -3,7 +3,7 @@
 use super::error::{Problem, Trail};
 use super::explain::suggest;
 use super::locate::locate;
-use super::{Camera, FORMAT_VERSION, Interactor, Path, Scene, Shape, Stand, Terrain};
+use super::{Camera, FORMAT_VERSION, Flow, Interactor, Path, Scene, Shape, Stand, Terrain, WindSource};
 
 type Checked = Result<(), Problem>;
 
@@ -19,7 +19,39 @@ pub(super) fn check(scene: &Scene) -> Checked {
     let interactors = Trail::default().key("interactors");
     each(&scene.interactors, &interactors, interactor)?;
     unique(scene.interactors.iter().map(|body| body.name.clone()), &interactors, "interactors")?;
+    let wind = Trail::default().key("wind");
+    footprints(&scene.wind, &wind)?;
+    each(&scene.wind, &wind, |source, trail| wind_source(source, &scene.interactors, trail))?;
     camera(&scene.camera, &scene.interactors)
+}
+
+/// No more than the kernels have room for.
+fn footprints(sources: &[WindSource], trail: &Trail) -> Checked {
+    let mut places = sources.iter().enumerate().filter(|(_, source)| matches!(source, WindSource::Footprint(_)));
+    match places.nth(super::wind::MAX_FOOTPRINTS) {
+        Some((index, _)) => {
+            let message = format!("this is one `Footprint` more than {}", super::wind::MAX_FOOTPRINTS);
+            Err(Problem::at(trail.clone().index(index), message).help("remove one"))
+        }
+        None => Ok(()),
+    }
+}
+
+fn wind_source(source: &WindSource, interactors: &[Interactor], trail: &Trail) -> Checked {
+    let WindSource::Footprint(print) = source else { return Ok(()) };
+    if let Flow::Image(image) = &print.flow
+        && image.path.is_empty()
+    {
+        return Err(Problem::at(trail.clone().key("flow").key("path"), "`path` is empty").help("name a PNG"));
+    }
+    if let Some(follow) = &print.follow {
+        return known(follow, interactors, trail.clone().key("follow"));
+    }
+    if matches!(print.path, Path::Driven(_)) {
+        let help = "drive an interactor, and name it in `follow`";
+        return Err(Problem::at(trail.clone().key("path"), "a footprint cannot be driven").help(help));
+    }
+    path(&print.path, trail)
 }
 
 /// Refuses a file of a newer format before its unknown names are complained about.
@@ -82,7 +114,11 @@ fn interactor(body: &Interactor, trail: &Trail) -> Checked {
         let message = format!("`until` is {} s, but `from` is {} s", body.until, body.from);
         return Err(Problem::at(trail.clone().key("until"), message).help("`until` is later than `from`"));
     }
-    if let Path::Keyframes(keyframes) = &body.path {
+    path(&body.path, trail)
+}
+
+fn path(path: &Path, trail: &Trail) -> Checked {
+    if let Path::Keyframes(keyframes) = path {
         let keys = trail.clone().key("path").key("keys");
         if keyframes.keys.is_empty() {
             return Err(Problem::at(keys, "`keys` is empty").help("give a place at a time: (time: 0, at: (0, 0))"));
@@ -175,15 +211,20 @@ fn camera(camera: &Camera, interactors: &[Interactor]) -> Checked {
     let keys = trail.clone().key("keys");
     increasing(camera.keys.iter().map(|key| key.time), &keys)?;
     each(&camera.keys, &keys, |key, trail| looks_somewhere(key.eye, key.target, trail.clone().key("target")))?;
-    let Some(follow) = &camera.follow else {
-        return Ok(());
-    };
+    match &camera.follow {
+        Some(follow) => known(follow, interactors, trail.key("follow")),
+        None => Ok(()),
+    }
+}
+
+/// `follow` is the name of an interactor.
+fn known(follow: &str, interactors: &[Interactor], place: Trail) -> Checked {
     let names: Vec<&str> = interactors.iter().map(|body| body.name.as_str()).filter(|name| !name.is_empty()).collect();
-    if names.contains(&follow.as_str()) {
+    if names.contains(&follow) {
         return Ok(());
     }
     let help = if names.is_empty() { "give an interactor a `name`".to_owned() } else { suggest(follow, &names) };
-    Err(Problem::at(trail.key("follow"), format!("no interactor is called `{follow}`")).help(help))
+    Err(Problem::at(place, format!("no interactor is called `{follow}`")).help(help))
 }
 
 fn looks_somewhere(eye: [f64; 3], target: [f64; 3], trail: Trail) -> Checked {

@@ -27,9 +27,11 @@ fn shading_grass(albedo: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, light: S
     let half_way = normalize(light.sun + view);
     let shine = pow(max(dot(normal, half_way), 0.0), 18.0) * front;
     let sky = mix(light.ground, light.sky, 0.5 + 0.5 * normal.y);
-    // Lying leaves seen at a flat angle mirror the sky: that is what makes a track shine.
+    // Lying leaves seen at a flat angle mirror the sky, more of it towards the sun: that is what makes a track shine.
     let flat_angle = 1.0 - max(dot(normal, view), 0.0);
-    let mirror = mix(light.sky, light.sun_colour * 0.06, 0.5) * (0.28 * open * max(normal.y, 0.0) * flat_angle * flat_angle * flat_angle);
-    let diffuse = albedo * (light.sun_colour * (lit * front * 0.3183) + sky * open);
-    return diffuse + passed * light.sun_colour * (lit * back * 0.3183) + light.sun_colour * (lit * shine * 0.035) + mirror;
+    let towards = max(dot(normalize(light.sun.xz + vec2<f32>(1e-6, 0.0)), normalize(-view.xz + vec2<f32>(1e-6, 0.0))), 0.0);
+    let mirrored = 0.45 * light.sky + light.sun_colour * (0.012 + 0.028 * towards * towards);
+    let mirror = mirrored * (0.07 * open * max(normal.y, 0.0) * flat_angle * flat_angle * flat_angle);
+    let diffuse = albedo * (light.sun_colour * (lit * front * 0.31830987) + sky * open);
+    return diffuse + passed * light.sun_colour * (lit * back * 0.31830987) + light.sun_colour * (lit * shine * 0.035) + mirror;
 }

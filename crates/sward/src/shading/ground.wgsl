@@ -22,7 +22,7 @@ fn shading_canopy(albedo: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, light: 
     let depth = 1.0 - 0.45 * max(dot(normal, view), 0.0);
     let passed = albedo * vec3<f32>(1.15, 1.35, 0.40) * (through * 0.64 * split.y);
     let sky = mix(light.ground, light.sky, 0.62);
-    return (light.sun_colour * (lit * 0.3183 * 0.33) * (albedo * front + passed) + albedo * sky * 0.45) * depth;
+    return (light.sun_colour * (lit * 0.31830987 * 0.33) * (albedo * front + passed) + albedo * sky * 0.45) * depth;
 }
 
 // Brightness pattern of turf, about 1; waves shorter than `footprint` metres (one pixel on the ground) are left out.
@@ -34,4 +34,27 @@ fn shading_turf(p: vec2<f32>, footprint: f32) -> f32 {
     sum += (shading_noise(p * 32.0, 32768, 24u) - 0.5) * 0.60 * (1.0 - smoothstep(0.008, 0.03, footprint));
     sum += (shading_noise(p * vec2<f32>(128.0, 64.0), 65536, 25u) - 0.5) * 0.9 * (1.0 - smoothstep(0.003, 0.012, footprint));
     return max(1.0 + sum, 0.15);
+}
+
+// What plants look like from afar.
+struct ShadingTurf {
+    root: vec4<f32>, // rgb root colour; w = mean dryness of the leaves
+    tip: vec4<f32>,  // rgb tip colour; w = share of light let through
+    mean: vec4<f32>, // x mean shade, y cover by plants near the camera, z distance where plants end, w unused
+}
+
+// Radiance of the ground at `p` (metres modulo SHADING_PERIOD). `pixel`: height of one pixel at distance 1; `lit`: share of the sun.
+fn shading_ground(turf: ShadingTurf, p: vec2<f32>, normal: vec3<f32>, view: vec3<f32>, distance: f32, pixel: f32, light: ShadingLight, lit: f32) -> vec3<f32> {
+    let patchwork = shading_patchwork(p);
+    // The longer side of a pixel's print on the ground.
+    let footprint = distance * pixel / max(dot(normal, view), 0.03);
+    let grain = shading_turf(p, footprint);
+    let dry = turf.root.w + 0.55 * patchwork.y * (1.0 - turf.root.w);
+    let leaf = shading_leaf(turf.root.rgb, turf.tip.rgb, 0.72, dry, patchwork, turf.mean.x);
+    // Under near plants lies litter and shade; from afar only the canopy's mean is seen.
+    let bare = 1.0 - smoothstep(0.35 * turf.mean.z, 0.9 * turf.mean.z, distance);
+    let canopy = shading_canopy(leaf, normal, view, light, lit, turf.tip.w) * mix(1.0, grain, 0.6);
+    let litter = mix(vec3<f32>(0.060, 0.046, 0.022), leaf * 0.7, 0.55) * grain;
+    let shaded = litter * (light.sun_colour * (lit * 0.12 * max(dot(normal, light.sun), 0.0)) + light.sky * 0.20);
+    return mix(canopy * mix(1.5, 1.0, turf.mean.y), shaded, bare * turf.mean.y);
 }

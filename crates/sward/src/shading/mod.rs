@@ -1,10 +1,16 @@
 //! How light meets leaves, ground and air.
 //!
-//! The functions are pure: no textures, no bindings. The WGSL texts are joined by plain concatenation, in the order of
+//! The functions are pure: no textures, no bindings; each `x.wgsl` has its Rust twin beside it, `x.rs`. The WGSL texts are joined by plain concatenation, in the order of
 //! [`WGSL`], before a host's own entry points.
 
+pub mod body;
 pub mod clump;
 mod clump_levels;
+pub mod common;
+pub mod foliage;
+pub mod grass;
+pub mod ground;
+pub mod look;
 pub mod sky;
 
 /// Noise, air, tone curve: what all other shading text uses.
@@ -16,5 +22,10 @@ pub const GRASS_WGSL: &str = include_str!("grass.wgsl");
 /// Colour and light of the ground between and behind the plants.
 pub const GROUND_WGSL: &str = include_str!("ground.wgsl");
 
+/// A pixel of a plant's card.
+pub const FOLIAGE_WGSL: &str = include_str!("foliage.wgsl");
+/// Light on bodies.
+pub const BODY_WGSL: &str = include_str!("body.wgsl");
+
 /// All texts in the order they must be joined.
-pub const WGSL: [&str; 4] = [COMMON_WGSL, SKY_WGSL, GRASS_WGSL, GROUND_WGSL];
+pub const WGSL: [&str; 6] = [COMMON_WGSL, SKY_WGSL, GRASS_WGSL, GROUND_WGSL, FOLIAGE_WGSL, BODY_WGSL];

@@ -36,6 +36,13 @@ fn shading_sky(direction: vec3<f32>, sun: vec3<f32>, haze: f32) -> vec3<f32> {
     return SHADING_SUN * opacity * (direct + diffuse * (1.0 - 0.5 * up));
 }
 
+// Colour that the air adds between the eye and far away, by direction of the ray.
+fn shading_air(ray: vec3<f32>, sun: vec3<f32>, haze: f32) -> vec3<f32> {
+    let air = shading_sky(normalize(vec3<f32>(ray.x, max(ray.y, 0.0) + 0.03, ray.z)), sun, haze);
+    // Near the sun the glow of near air is softer than that of the whole sky behind it.
+    return air * (0.80 / (1.0 + 0.10 * dot(air, vec3<f32>(0.3, 0.6, 0.1))));
+}
+
 // The disc and its glare.
 fn shading_sun_disc(direction: vec3<f32>, sun: vec3<f32>, haze: f32) -> vec3<f32> {
     let cosine = dot(direction, sun);

@@ -108,6 +108,26 @@ impl Detail {
     }
 }
 
+impl TerrainDetail {
+    /// Height \[m\] at `local` metres from an anchor, where octaves finer than `resolved` metres fade out: for pictures.
+    pub fn seen(&self, (cell, way): ([i32; 2], [f32; 2]), local: [f32; 2], resolved: f32) -> f32 {
+        let place = [0, 1].map(|axis| way[axis] + local[axis] * self.inverse_wavelength);
+        let whole = place.map(floored);
+        let rest = [0, 1].map(|axis| clamped(place[axis] - whole[axis] as f32, 0.0, 1.0));
+        let (mut sum, mut weight, mut scale) = (0.0, self.amplitude, 1.0);
+        for octave in 0..self.octaves {
+            let inner = rest.map(|part| floored(part * scale));
+            let corner = [0, 1].map(|axis| cell[axis].wrapping_add(whole[axis]).wrapping_shl(octave).wrapping_add(inner[axis]));
+            let t = [0, 1].map(|axis| rest[axis] * scale - inner[axis] as f32);
+            let seen = clamped(2.0 - resolved * scale * self.inverse_wavelength, 0.0, 1.0);
+            sum += seen * weight * noise_f32(self.seed, octave, corner, t).0;
+            weight *= self.roughness;
+            scale *= 2.0;
+        }
+        sum
+    }
+}
+
 /// Gradient at a lattice point of an octave: parts in −1..1, exact in either precision.
 fn gradient(seed: u32, octave: u32, point: [i32; 2]) -> [f32; 2] {
     let bits = hash(seed, point[0], point[1], octave, PURPOSE);

@@ -2,20 +2,24 @@
 //!
 //! Chen & Johan 2010 bend grass by natural wind; the noise is Belyaev et al. 2011, §3.3 (see [`noise`]). Wind is evaluated on
 //! nodes; phases are fixed-point numbers that wrap, so neighbouring patches agree bit for bit on the nodes they share, however
-//! far from home and however late. Writes: velocity \[m/s\] at nodes. Twins: `mod.wgsl`, `noise.wgsl`.
+//! far from home and however late. Writes: velocity \[m/s\] at nodes. Twins: `mod.wgsl`, `noise.wgsl`, `footprint.wgsl`.
 
+pub mod footprint;
+mod image;
 pub mod noise;
 #[cfg(test)]
 mod tests;
 mod tile;
 
 use crate::math::{atan, cbrt, upper};
+pub use crate::scene::MAX_FOOTPRINTS;
+pub use footprint::{Flow, Footprint, Images};
 pub use noise::Octave;
 use std::sync::Arc;
 pub use tile::{TILE_DEVIATION, TILE_SIDE, Tile};
 
 /// The text of the WGSL twin. It needs `math.wgsl`, and a function `wind_tile_load(index: u32) -> vec2<f32>` from its host.
-pub const WGSL: &str = concat!(include_str!("noise.wgsl"), include_str!("mod.wgsl"));
+pub const WGSL: &str = concat!(include_str!("footprint.wgsl"), include_str!("noise.wgsl"), include_str!("mod.wgsl"));
 
 /// Most octaves of one [`WindField`]; each [`Source::Natural`] has three.
 pub const MAX_OCTAVES: usize = 8;
@@ -48,10 +52,20 @@ pub struct WindField {
     pub dropped: usize,
     /// The noise.
     pub tile: Arc<Tile>,
+    /// Wind of places, at most [`MAX_FOOTPRINTS`].
+    pub footprints: Vec<Footprint>,
+    /// Their images.
+    pub images: Arc<Images>,
 }
 
-/// The tile phases (u, v) of each octave at some place; one whole tile is 2³², so they wrap.
-pub type Phases = [[u32; 2]; MAX_OCTAVES];
+/// Where a place lies in the gusts and under the footprints.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Phases {
+    /// Tile phases (u, v) of each octave; one whole tile is 2³², so they wrap.
+    pub octaves: [[u32; 2]; MAX_OCTAVES],
+    /// The place seen from the centre of each footprint, 1/256 node.
+    pub bases: [[i32; 2]; MAX_FOOTPRINTS],
+}
 
 /// A [`WindField`] as the GPU reads it; the same layout as `WindBlock` in WGSL, fit for a uniform buffer.
 #[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -65,12 +79,23 @@ pub struct WindBlock {
     pub intervals: u32,
     /// The gusts.
     pub octaves: [Octave; MAX_OCTAVES],
+    /// How many footprints count.
+    pub footprint_count: u32,
+    /// Keeps footprints at a multiple of 16 bytes.
+    pub unused: [u32; 3],
+    /// Wind of places.
+    pub footprints: [Footprint; MAX_FOOTPRINTS],
 }
 
 impl WindField {
     /// The sum of `sources` at step number `step` of `dt` seconds, for nodes `node_spacing` metres apart.
     /// A source with a number that is not finite is left out.
     pub fn at(sources: &[Source], step: u64, dt: f64, node_spacing: f64) -> Self {
+        Self::before(sources, step, 0.0, dt, node_spacing)
+    }
+
+    /// [`WindField::at`] some share of a step earlier: `behind` steps, for pictures of a moment between two steps.
+    pub fn before(sources: &[Source], step: u64, behind: f64, dt: f64, node_spacing: f64) -> Self {
         let mut mean = [0.0; 2];
         let mut octaves = Vec::new();
         for (index, source) in sources.iter().enumerate() {
@@ -82,14 +107,14 @@ impl WindField {
                 continue;
             }
             mean = [mean[0] + velocity[0], mean[1] + velocity[1]];
-            octaves.extend(noise::gusts(velocity, turbulence, index as u32, step, dt, node_spacing));
+            octaves.extend(noise::gusts(velocity, turbulence, index as u32, (step, behind), dt, node_spacing));
         }
         let dropped = octaves.len().saturating_sub(MAX_OCTAVES);
         if dropped > 0 {
             octaves.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
             octaves.truncate(MAX_OCTAVES);
         }
-        Self { mean, octaves, dropped, tile: Tile::shipped() }
+        Self { mean, octaves, dropped, tile: Tile::shipped(), footprints: Vec::new(), images: Arc::default() }
     }
 
     /// The same wind with every gust repeating a whole number of times over `intervals` nodes along each side, so that one patch
@@ -111,9 +136,12 @@ impl WindField {
     /// The phases at node (0, 0) of a patch with `intervals` node intervals along a side.
     pub fn patch_phases(&self, patch: [i32; 2], intervals: u32) -> Phases {
         let node = patch.map(|along| (along as u32).wrapping_mul(intervals) as i32);
-        let mut phases = [[0; 2]; MAX_OCTAVES];
-        for (phase, octave) in phases.iter_mut().zip(&self.octaves) {
+        let mut phases = Phases::default();
+        for (phase, octave) in phases.octaves.iter_mut().zip(&self.octaves) {
             *phase = octave.node_phase(octave.phase, node);
+        }
+        for (base, print) in phases.bases.iter_mut().zip(&self.footprints) {
+            *base = print.base(patch, intervals);
         }
         phases
     }
@@ -121,8 +149,12 @@ impl WindField {
     /// Air velocity along x and z \[m/s\] at a node, counted from where `phases` belong.
     pub fn velocity(&self, phases: &Phases, node: [i32; 2]) -> [f32; 2] {
         let mut sum = self.mean;
-        for (octave, phase) in self.octaves.iter().zip(phases) {
+        for (octave, phase) in self.octaves.iter().zip(&phases.octaves) {
             octave.add(&self.tile, octave.node_phase(*phase, node), &mut sum);
+        }
+        for (print, base) in self.footprints.iter().zip(&phases.bases) {
+            let [x, z] = print.velocity(&self.images, print.to_node(*base, node));
+            sum = [sum[0] + x, sum[1] + z];
         }
         sum
     }
@@ -139,8 +171,12 @@ impl WindField {
     /// the wind between nodes, for drawing.
     pub fn velocity_local(&self, phases: &Phases, local: [f32; 2]) -> [f32; 2] {
         let mut sum = self.mean;
-        for (octave, phase) in self.octaves.iter().zip(phases) {
+        for (octave, phase) in self.octaves.iter().zip(&phases.octaves) {
             octave.add(&self.tile, octave.local_phase(*phase, local), &mut sum);
+        }
+        for (print, base) in self.footprints.iter().zip(&phases.bases) {
+            let [x, z] = print.velocity(&self.images, print.to_local(*base, local));
+            sum = [sum[0] + x, sum[1] + z];
         }
         sum
     }
@@ -153,12 +189,20 @@ impl WindField {
         mean + 2.0 * TILE_DEVIATION * squares.sqrt()
     }
 
+    /// Whether the wind is not the same everywhere.
+    pub fn varies(&self) -> bool {
+        !self.octaves.is_empty() || !self.footprints.is_empty()
+    }
+
     /// The field as the GPU reads it, for patches with `intervals` node intervals along a side.
     pub fn block(&self, intervals: u32) -> WindBlock {
         let mut octaves = [Octave::default(); MAX_OCTAVES];
         let count = self.octaves.len().min(MAX_OCTAVES);
         octaves[..count].copy_from_slice(&self.octaves[..count]);
-        WindBlock { mean: self.mean, count: count as u32, intervals, octaves }
+        let mut footprints = [Footprint::default(); MAX_FOOTPRINTS];
+        let prints = self.footprints.len().min(MAX_FOOTPRINTS);
+        footprints[..prints].copy_from_slice(&self.footprints[..prints]);
+        WindBlock { mean: self.mean, count: count as u32, intervals, octaves, footprint_count: prints as u32, unused: [0; 3], footprints }
     }
 }
 

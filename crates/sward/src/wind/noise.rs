@@ -41,7 +41,7 @@ pub(super) fn gusts(
     velocity: [f32; 2],
     turbulence: f32,
     source: u32,
-    step: u64,
+    (step, behind): (u64, f64),
     dt: f64,
     node_spacing: f64,
 ) -> impl Iterator<Item = Octave> {
@@ -55,13 +55,13 @@ pub(super) fn gusts(
     SHIPPED.into_iter().take(count).zip(0..).map(move |((k, travel, size), index)| {
         let amplitude = (k * speed * turbulence / SHIPPED_GUSTS) as f32;
         let start = START.map(|purpose| hash(source, 0, 0, index, purpose));
-        Octave::new(amplitude, turned(travel), size, start, step, dt, node_spacing)
+        Octave::new(amplitude, turned(travel), size, start, (step, behind), dt, node_spacing)
     })
 }
 
 impl Octave {
     /// An octave of `size` tiles per metre that travels with velocity `travel` (not zero) \[m/s\] from the phase `start`.
-    fn new(amplitude: f32, travel: [f64; 2], size: f64, start: [u32; 2], step: u64, dt: f64, node_spacing: f64) -> Self {
+    fn new(amplitude: f32, travel: [f64; 2], size: f64, start: [u32; 2], (step, behind): (u64, f64), dt: f64, node_spacing: f64) -> Self {
         let speed = (travel[0] * travel[0] + travel[1] * travel[1]).sqrt();
         let heading = [travel[0] / speed, travel[1] / speed];
         // The columns of c R.
@@ -71,7 +71,7 @@ impl Octave {
         for axis in 0..2 {
             let per_second = along_x[axis] * travel[0] + along_z[axis] * travel[1];
             // A rate in whole numbers: every step adds the same, for ever.
-            let passed = fixed(-per_second * dt).wrapping_mul(step);
+            let passed = fixed(-per_second * dt).wrapping_mul(step).wrapping_add(fixed(per_second * dt * behind));
             phase[axis] = phase[axis].wrapping_add(short(passed));
         }
         Self {

@@ -8,6 +8,8 @@
 //         let base = wind_patch_phase(octave, patch_index, wind.intervals);
 //         velocity += octave.amplitude * wind_sample(wind_node_phase(octave, base, node));
 //     }
+//
+// and the footprints likewise (footprint.wgsl).
 
 struct WindOctave {
     step_x: vec2<u32>,      // tile phase per node along +x; 2^32 is one tile
@@ -24,6 +26,11 @@ struct WindBlock {
     count: u32,      // octaves that count
     intervals: u32,  // node intervals along a side of a patch
     octaves: array<WindOctave, 8>,
+    footprint_count: u32,
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+    footprints: array<WindFootprint, 8>,
 }
 
 // The phase at a node, counted from where the phase `base` belongs.

@@ -5,6 +5,7 @@ mod common;
 
 mod activation;
 mod callers;
+mod downwash;
 mod far;
 mod finite;
 mod flips;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::render;
-use crate::arguments::Where;
+use crate::arguments::{Draw, Where};
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::scenes;
@@ -19,7 +19,7 @@ pub(crate) fn run(console: &Console) -> Result<(), Failure> {
     let path = PathBuf::from(format!("{SCENE}.png"));
     crate::output::picture(Some(&path), SCENE)?;
     let shot = render::single(&opened, None, path.clone());
-    let done = render::draw(&opened, &[shot], None, SIZE, Where::Auto, console)?;
+    let done = render::draw(&opened, &[shot], None, SIZE, (Where::Auto, Draw::Auto), console)?;
     let place = std::path::absolute(&path).unwrap_or(path);
     let [width, height] = SIZE;
     console.summary(&format!(
@@ -32,6 +32,6 @@ pub(crate) fn run(console: &Console) -> Result<(), Failure> {
         opened.scene.title,
         done.seconds,
         done.on,
-        done.adapter,
+        done.artist,
     ))
 }

@@ -7,12 +7,11 @@ use std::time::Instant;
 
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
+use sward::picture::Picture;
 use sward::world::World;
-use sward_wgpu::gpu::Gpu;
-use sward_wgpu::picture::Picture;
-use sward_wgpu::studio::Studio;
 
-use crate::arguments::{self, Where};
+use crate::arguments::{self, Draw, Where};
+use crate::artist::{self, Artist};
 use crate::backend::Backend;
 use crate::console::Console;
 use crate::failure::Failure;
@@ -22,16 +21,18 @@ use crate::scenes::{self, Opened};
 
 /// A picture to take.
 pub(crate) struct Shot {
-    /// Steps done at that moment.
+    /// The first step not before that moment.
     step: u64,
+    /// How much of a step the moment lies before it.
+    behind: f64,
     /// Where it goes.
     path: PathBuf,
 }
 
 /// What was done, for the summary.
 pub(crate) struct Done {
-    /// Name of the adapter that drew.
-    pub(crate) adapter: String,
+    /// What drew.
+    pub(crate) artist: String,
     /// Where the simulation ran.
     pub(crate) on: String,
     /// Time of the work, s.
@@ -51,30 +52,34 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
         Some(frames) => {
             let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}_frames", opened.name)));
             output::folder(&folder, true)?;
-            let shot = |frame| Shot { step: step_of(frame, arguments.fps, rate), path: folder.join(format!("frame_{frame:04}.png")) };
+            let shot = |frame| {
+                let (step, behind) = moment(f64::from(frame) * f64::from(rate) / f64::from(arguments.fps));
+                Shot { step, behind, path: folder.join(format!("frame_{frame:04}.png")) }
+            };
             (frames.clone().map(shot).collect(), Some(folder.clone()), folder)
         }
     };
-    let done = draw(&opened, &shots, folder.as_deref(), arguments.size, arguments.on, console)?;
+    let done = draw(&opened, &shots, folder.as_deref(), arguments.size, (arguments.on, arguments.draw), console)?;
     let [width, height] = arguments.size;
     let what = match (shots.len(), shots.last()) {
-        (1, Some(shot)) => format!("at {:.2} s", shot.step as f64 / f64::from(rate)),
+        (1, Some(shot)) => format!("at {:.2} s", (shot.step as f64 - shot.behind) / f64::from(rate)),
         (frames, _) => format!("{frames} frames"),
     };
-    let (place, Done { adapter, on, seconds }) = (place.display(), done);
-    console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {adapter} in {seconds:.1} s", opened.name))
+    let (place, Done { artist, on, seconds }) = (place.display(), done);
+    console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {artist} in {seconds:.1} s", opened.name))
 }
 
 /// One picture at `time` in seconds, or at the scene's own moment.
 pub(crate) fn single(opened: &Opened, time: Option<f64>, path: PathBuf) -> Shot {
-    let steps = time.unwrap_or(opened.time) * f64::from(opened.scene.steps_per_second);
-    Shot { step: steps.round() as u64, path }
+    let (step, behind) = moment(time.unwrap_or(opened.time) * f64::from(opened.scene.steps_per_second));
+    Shot { step, behind, path }
 }
 
-/// The step nearest to a frame's time.
-fn step_of(frame: u32, fps: u32, rate: u32) -> u64 {
-    let (frame, fps, rate) = (u64::from(frame), u64::from(fps), u64::from(rate));
-    (2 * frame * rate + fps) / (2 * fps)
+/// The first whole step not before a moment given in steps, and how far before it that lies.
+fn moment(steps: f64) -> (u64, f64) {
+    // Decimal seconds are seldom whole steps to the last digit.
+    let near = steps.round();
+    if (steps - near).abs() < 1e-6 { (near as u64, 0.0) } else { (steps.ceil() as u64, steps.ceil() - steps) }
 }
 
 /// Takes the shots, which are in order of time. Makes `folder` once everything that can be checked has been.
@@ -83,20 +88,14 @@ pub(crate) fn draw(
     shots: &[Shot],
     folder: Option<&Path>,
     size: [u32; 2],
-    on: Where,
+    (on, draw): (Where, Draw),
     console: &Console,
 ) -> Result<Done, Failure> {
     let begun = Instant::now();
     let mut world = opened.world()?;
-    let gpu = Gpu::new()?;
-    let largest = gpu.device.limits().max_texture_dimension_2d;
-    if size.iter().any(|side| *side > largest) {
-        let adapter = &gpu.adapter_info.name;
-        let help = format!("type a --size of at most {largest}x{largest}");
-        return Err(Failure::input(format!("{}x{} is too large for {adapter}", size[0], size[1]), help));
-    }
-    let mut backend = Backend::choose(on, &gpu, &world)?;
-    let mut studio = Studio::new(&gpu, &world)?;
+    let gpu = artist::adapter(draw, on, console)?;
+    let mut artist = Artist::choose(draw, gpu.as_ref(), &world, size)?;
+    let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
     if let Some(folder) = folder {
         output::make_folder(folder)?;
     }
@@ -104,12 +103,12 @@ pub(crate) fn draw(
     let mut progress = Progress::new(steps + shots.len() as u64, "steps and pictures", console);
     for shot in shots {
         advance_to(&mut world, shot.step, &mut backend, &mut progress)?;
-        let picture = studio.draw(&gpu, &world, backend.cells(), size)?;
+        let picture = artist.draw(&mut world, &mut backend, shot.behind, size)?;
         output::write_whole(&shot.path, |writer| write_png(writer, &picture))?;
         progress.advance();
     }
-    let (adapter, on) = (gpu.adapter_info.name.clone(), backend.name().to_owned());
-    Ok(Done { adapter, on, seconds: begun.elapsed().as_secs_f64() })
+    let (artist, on) = (artist.name().to_owned(), backend.name().to_owned());
+    Ok(Done { artist, on, seconds: begun.elapsed().as_secs_f64() })
 }
 
 fn advance_to(world: &mut World, step: u64, backend: &mut Backend<'_>, progress: &mut Progress) -> Result<(), Failure> {
@@ -129,12 +128,12 @@ fn write_png(writer: &mut BufWriter<File>, picture: &Picture) -> std::io::Result
 
 #[cfg(test)]
 mod tests {
-    use super::step_of;
+    use super::moment;
 
     #[test]
-    fn frames_are_drawn_at_the_nearest_step() {
-        assert_eq!([0, 1, 2, 90].map(|frame| step_of(frame, 30, 60)), [0, 2, 4, 180]);
-        assert_eq!([0, 1, 2, 3].map(|frame| step_of(frame, 24, 60)), [0, 3, 5, 8]);
-        assert_eq!([0, 1, 2, 3].map(|frame| step_of(frame, 120, 60)), [0, 1, 1, 2]);
+    fn frames_between_steps_are_drawn_between_steps() {
+        assert_eq!([0, 1, 2, 90].map(|frame| moment(f64::from(frame) * 60.0 / 30.0)), [(0, 0.0), (2, 0.0), (4, 0.0), (180, 0.0)]);
+        assert_eq!([0, 1, 2, 3].map(|frame| moment(f64::from(frame) * 60.0 / 24.0)), [(0, 0.0), (3, 0.5), (5, 0.0), (8, 0.5)]);
+        assert_eq!(moment(6.2 * 60.0), (372, 0.0));
     }
 }

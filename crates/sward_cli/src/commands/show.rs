@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use sward::response::StandModel;
-use sward::scene::{Interactor, Path, Shape, Terrain, WindSource};
+use sward::scene::{Flow, Interactor, Path, Shape, Terrain, WindSource};
 use sward::world::World;
 
 use crate::arguments;
@@ -157,6 +157,15 @@ fn wind(source: &WindSource) -> String {
     let speed = |[x, z]: [f32; 2]| format!("{:.1} m/s ({x} along x, {z} along z)", (x * x + z * z).sqrt());
     match source {
         WindSource::Uniform(wind) => format!("steady, {}", speed(wind.velocity)),
+        WindSource::Footprint(wind) => {
+            let flow = match &wind.flow {
+                Flow::Outward => "outward".to_owned(),
+                Flow::Swirl => "round a centre".to_owned(),
+                Flow::Image(image) => format!("as in {}", image.path),
+            };
+            let place = wind.follow.as_ref().map_or(String::new(), |name| format!(" with `{name}`"));
+            format!("{flow}{place}, {} m/s within {} m, gone from {} m up", wind.speed, wind.radius, wind.ceiling)
+        }
         WindSource::Natural(wind) => format!("gusty, {} and {:.0} % turbulence", speed(wind.velocity), 100.0 * wind.turbulence),
     }
 }

@@ -42,7 +42,7 @@ impl StandUniform {
     /// Numbers of one stand in one step.
     pub fn new(world: &World, stand: &StandModel, plan: &StandPlan, step: u64) -> Self {
         let k_w = stand.species.continuum.wind;
-        let gusty = !plan.wind.octaves.is_empty() && k_w != 0.0;
+        let gusty = plan.wind.varies() && k_w != 0.0;
         Self {
             coefficients: stand.coefficients,
             lag: stand.lag,

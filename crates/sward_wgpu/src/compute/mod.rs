@@ -55,7 +55,12 @@ impl GpuStep {
     /// # Errors
     /// What the device reports.
     pub fn new(gpu: &Gpu, world: &World) -> Result<Self, GpuError> {
-        let mut step = Self { passes: Passes::new(gpu), stands: Vec::new(), pending: VecDeque::new(), work: Work::default() };
+        let mut step = Self {
+            passes: Passes::new(gpu, &world.model.wind_texels()),
+            stands: Vec::new(),
+            pending: VecDeque::new(),
+            work: Work::default(),
+        };
         for (stand, state) in world.model.stands.iter().zip(&world.state.stands) {
             let mut buffers = CellBuffers::new(gpu, stand);
             buffers.reserve(gpu, state, world.model.terrain.is_flat())?;

@@ -77,15 +77,15 @@ pub struct Passes {
 }
 
 impl Passes {
-    /// Builds the pipelines.
-    pub fn new(gpu: &Gpu) -> Self {
+    /// Builds the pipelines; `wind_texels` as of [`sward::model::Model::wind_texels`].
+    pub fn new(gpu: &Gpu, wind_texels: &[[f32; 2]]) -> Self {
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("step"),
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
         });
         let tile = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("wind tile"),
-            contents: bytemuck::cast_slice(sward::wind::Tile::shipped().texels()),
+            contents: bytemuck::cast_slice(wind_texels),
             usage: wgpu::BufferUsages::STORAGE,
         });
         let pass = |entry, bindings| Pass::new(gpu, &module, entry, true, bindings);

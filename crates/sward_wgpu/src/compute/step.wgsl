@@ -128,6 +128,11 @@ fn rest_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         let base = wind_patch_phase(octave, entry.patch_index, wind.intervals);
         velocity += octave.amplitude * wind_sample(wind_node_phase(octave, base, vec2<i32>(id.xy) - vec2<i32>(1)));
     }
+    for (var k = 0u; k < wind.footprint_count; k++) {
+        let print = wind.footprints[k];
+        let base = wind_footprint_base(print, entry.patch_index, wind.intervals);
+        velocity += wind_footprint_velocity(print, wind_footprint_to_node(print, base, vec2<i32>(id.xy) - vec2<i32>(1)));
+    }
     nodes[entry.slot * stand.nodes * stand.nodes + id.y * stand.nodes + id.x] = wind_equilibrium(velocity, stand.wind_response);
 }
 

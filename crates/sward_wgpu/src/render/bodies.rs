@@ -1,9 +1,9 @@
 //! Bodies: opaque meshes, one instance per body.
 
 use sward::geometry::mesh::{Mesh, Vertex};
+use sward::picture::frame::BodyDraw;
 use wgpu::util::DeviceExt;
 
-use super::frame::BodyDraw;
 use super::shadow::ShadowMap;
 use super::{PipelineParts, Slot, layout, main_pipeline, shader, shadow_pipeline};
 use crate::gpu::Gpu;

@@ -33,13 +33,6 @@ fn bodies_vertex(corner: Corner, @builtin(instance_index) instance: u32) -> Skin
     return Skin(frame.view_projection * vec4<f32>(place, 1.0), place, normal, colour, vec3<f32>(corner.surface, mix(0.35, 1.0, open)));
 }
 
-// What a mirror facing `direction` would see.
-fn bodies_mirrored(direction: vec3<f32>, roughness: f32) -> vec3<f32> {
-    let level = normalize(vec3<f32>(direction.x, max(direction.y, 0.02), direction.z));
-    let above = mix(shading_sky(level, frame.sun.xyz, frame.sun.w), frame.sky.rgb, roughness);
-    return mix(frame.ground.rgb * 0.8, above, smoothstep(-0.08 - 0.4 * roughness, 0.06 + 0.4 * roughness, direction.y));
-}
-
 @fragment
 fn bodies_fragment(skin: Skin) -> @location(0) vec4<f32> {
     let to_eye = frame.camera.xyz - skin.place;
@@ -47,21 +40,8 @@ fn bodies_fragment(skin: Skin) -> @location(0) vec4<f32> {
     let view = to_eye / max(distance, 1e-3);
     var normal = normalize(skin.normal);
     normal = normal * select(-1.0, 1.0, dot(normal, view) > 0.0);
-    let light = frame_light();
-    let roughness = skin.surface.x;
-    let gloss = skin.surface.y;
-    let open = skin.surface.z;
-    let lit = shadows_soft(shadows_place(skin.place + normal * 0.03, 0.03), 1.5) * max(dot(normal, light.sun), 0.0);
-    let half_way = normalize(light.sun + view);
-    let grazing = pow(1.0 - max(dot(normal, view), 0.0), 5.0);
-    let fresnel = gloss + (1.0 - gloss) * grazing * (1.0 - roughness) * (1.0 - roughness);
-    let sharp = 2.0 / max(roughness * roughness * roughness * roughness, 1e-4);
-    let lobe = min((sharp + 8.0) * 0.0398, 60.0) * pow(max(dot(normal, half_way), 0.0), sharp);
-    let sky = mix(light.ground, light.sky, 0.5 + 0.5 * normal.y) * open;
-    let diffuse = skin.colour * (1.0 - fresnel) * (light.sun_colour * (lit * 0.3183) + sky);
-    let mirror = bodies_mirrored(reflect(-view, normal), roughness) * fresnel * open;
-    let tinted = mix(vec3<f32>(1.0), skin.colour * 1.6, step(0.3, gloss));
-    let colour = diffuse + tinted * (mirror + light.sun_colour * (lit * lobe * gloss));
+    let lit = shadows_soft(shadows_place(skin.place + normal * 0.03, 0.03), 1.5);
+    let colour = shading_body(skin.colour, skin.surface, normal, view, frame_light(), frame.sun.w, lit);
     let clear = shading_fog(distance, frame.camera.w);
     return vec4<f32>(mix(frame_air(-view), colour, clear), 1.0);
 }

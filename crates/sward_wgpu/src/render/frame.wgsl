@@ -28,7 +28,5 @@ fn frame_light() -> ShadingLight {
 
 // Colour that the air adds between the eye and far away, by direction of the ray.
 fn frame_air(ray: vec3<f32>) -> vec3<f32> {
-    let air = shading_sky(normalize(vec3<f32>(ray.x, max(ray.y, 0.0) + 0.03, ray.z)), frame.sun.xyz, frame.sun.w);
-    // Near the sun the glow of near air is softer than that of the whole sky behind it.
-    return air * (0.80 / (1.0 + 0.10 * dot(air, vec3<f32>(0.3, 0.6, 0.1))));
+    return shading_air(ray, frame.sun.xyz, frame.sun.w);
 }

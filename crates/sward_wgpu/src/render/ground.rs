@@ -1,60 +1,22 @@
 //! Terrain: a grid of rings displaced by the height field, coloured as turf and distant canopy.
 
-use sward::terrain::{DETAIL_WGSL, Detail};
+use sward::geometry::relief::Relief;
+use sward::geometry::rings;
+use sward::shading::look::Turf;
 use wgpu::util::DeviceExt;
 
-use super::{PipelineParts, Slot, grid, layout, main_pipeline, shader};
+use super::{PipelineParts, Slot, layout, main_pipeline, shader};
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader, after the common ones.
-pub const PARTS: [&str; 5] = [sward::math::WGSL, DETAIL_WGSL, super::HEIGHTS_WGSL, super::SHADOWS_WGSL, include_str!("ground.wgsl")];
-
-/// A height field: row-major samples in metres.
-#[derive(Clone, Debug)]
-pub struct Relief {
-    /// Heights, metres, `columns × rows`, row-major.
-    pub heights: Vec<f32>,
-    /// Samples along x.
-    pub columns: u32,
-    /// Samples along z.
-    pub rows: u32,
-    /// Metres between samples in x and z.
-    pub spacing: [f64; 2],
-    /// Ground position (x, z) of the first sample, metres.
-    pub corner: [f64; 2],
-    /// Noise on top.
-    pub detail: Detail,
-}
-
-impl Relief {
-    /// Level ground at `height` metres.
-    pub fn flat(height: f32) -> Self {
-        Self { heights: vec![height], columns: 1, rows: 1, spacing: [1.0; 2], corner: [0.0; 2], detail: Detail::NONE }
-    }
-
-    /// How a frame at `origin` addresses the samples; reduced to one mirrored period so that f32 stays exact far away.
-    pub fn frame(&self, origin: [f64; 2]) -> super::frame::ReliefFrame {
-        let at = |axis: usize, count: u32| {
-            let period = 2.0 * f64::from(count.max(2) - 1);
-            ((origin[axis] - self.corner[axis]) / self.spacing[axis]).rem_euclid(period) as f32
-        };
-        super::frame::ReliefFrame {
-            mapping: [(1.0 / self.spacing[0]) as f32, (1.0 / self.spacing[1]) as f32, at(0, self.columns), at(1, self.rows)],
-            size: [self.columns, self.rows],
-            detail: self.detail.kernel,
-            detail_anchor: self.detail.anchor(origin),
-        }
-    }
-}
-
-/// Uniform `Turf` of `ground.wgsl`: what plants look like from afar.
-#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-pub(crate) struct TurfUniform {
-    pub(crate) root: [f32; 4],
-    pub(crate) tip: [f32; 4],
-    pub(crate) mean: [f32; 4],
-}
+pub const PARTS: [&str; 6] = [
+    sward::math::WGSL,
+    sward::terrain::DETAIL_WGSL,
+    super::relief::WGSL,
+    super::HEIGHTS_WGSL,
+    super::SHADOWS_WGSL,
+    include_str!("ground.wgsl"),
+];
 
 /// The ground's pass.
 pub(crate) struct GroundPass {
@@ -66,7 +28,7 @@ pub(crate) struct GroundPass {
 }
 
 impl GroundPass {
-    pub(crate) fn new(gpu: &Gpu, frame: &wgpu::Buffer, shadow: &super::shadow::ShadowMap, relief: &Relief, turf: TurfUniform) -> Self {
+    pub(crate) fn new(gpu: &Gpu, frame: &wgpu::Buffer, shadow: &super::shadow::ShadowMap, relief: &Relief, turf: Turf) -> Self {
         let device = &gpu.device;
         let module = shader(device, "ground", &PARTS);
         let layout = layout(
@@ -108,7 +70,7 @@ impl GroundPass {
             ],
         });
         // All grids have the same number of vertices; holes never make the index list longer than the first.
-        let grid = grid::build([0.0; 2], [0.0; 2]);
+        let grid = rings::build([0.0; 2], [0.0; 2]);
         let vertices =
             init("ground vertices", bytemuck::cast_slice(&grid.vertices), wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST);
         let indices = init("ground indices", bytemuck::cast_slice(&grid.indices), wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST);
@@ -118,7 +80,7 @@ impl GroundPass {
     /// Moves the grid under the camera.
     pub(crate) fn place(&mut self, gpu: &Gpu, camera: [f32; 2], origin: [f64; 2]) {
         let phase = [origin[0].rem_euclid(1024.0) as f32, origin[1].rem_euclid(1024.0) as f32];
-        let grid = grid::build(camera, phase);
+        let grid = rings::build(camera, phase);
         gpu.queue.write_buffer(&self.vertices, 0, bytemuck::cast_slice(&grid.vertices));
         let fits = grid.indices.len().min(self.indices.size() as usize / 4);
         gpu.queue.write_buffer(&self.indices, 0, bytemuck::cast_slice(&grid.indices[..fits]));

@@ -38,45 +38,21 @@ fn plants_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) in
     return leaf;
 }
 
-// Mip level for a pixel. A pixel's print on a slanted card is long and narrow; its longer side alone would blur all blades into
-// one, so the level follows the print's area and stays within two of the longer side's.
-fn plants_level(at: vec2<f32>) -> f32 {
-    let across = dpdx(at) * 256.0;
-    let down = dpdy(at) * 256.0;
-    let area = max(abs(across.x * down.y - across.y * down.x), 1e-6);
-    let longer = max(max(dot(across, across), dot(down, down)), 1e-6);
-    return max(max(0.5 * log2(area), 0.5 * log2(longer) - 2.0) - 0.35, 0.0);
-}
-
 @fragment
 fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
     let to_eye = frame.camera.xyz - leaf.place;
+    let distance = length(to_eye);
     let view = normalize(to_eye);
-    // Cards that are nearly seen on edge are let go.
-    let on_edge = smoothstep(0.03, 0.20, abs(dot(leaf.facing, view)));
-    var texel = textureSampleLevel(clumps, clump_sampler, leaf.card.xy, leaf.layer, plants_level(leaf.card.xy));
-    texel.a *= mix(0.35, 1.0, on_edge);
-    // A rim one pixel wide, whatever the mip level: alpha becomes coverage of the four samples.
-    let fading = 1.0 - smoothstep(0.65 * style.mean.w, 0.95 * style.mean.w, length(to_eye));
-    let alpha = fading * clamp((texel.a - 0.5) / max(fwidth(texel.a), 0.02) + 0.5, 0.0, 1.0);
+    let level = shading_level(dpdx(leaf.card.xy) * 256.0, dpdy(leaf.card.xy) * 256.0);
+    var texel = textureSampleLevel(clumps, clump_sampler, leaf.card.xy, leaf.layer, level);
+    texel.a *= shading_on_edge(leaf.facing, view);
+    let alpha = shading_rim(texel.a, fwidth(texel.a), style.mean.w, distance);
     if alpha < 0.1 {
         discard;
     }
-    // Far off only the tops of plants are seen, whatever part of a card covers the pixel: they melt into the canopy's colour.
-    let far = smoothstep(0.25 * style.mean.w, 0.7 * style.mean.w, length(to_eye));
-    let along = leaf.card.z;
-    let heading = (texel.b - 0.5) * 2.6;
-    var normal = normalize(leaf.facing * cos(heading) + leaf.across * sin(heading) + vec3<f32>(0.0, 0.18, 0.0));
-    normal = normal * select(-1.0, 1.0, dot(normal, view) > 0.0);
-    let tint = leaf.patchwork.w;
-    let dry = texel.g + style.root.w + 0.55 * leaf.patchwork.y + 0.3 * max(tint - 0.75, 0.0);
-    let albedo = shading_leaf(style.root.rgb, style.tip.rgb, mix(along, 0.6, far), dry, leaf.patchwork.xyz, texel.r * (0.86 + 0.28 * tint));
-    // Neighbours hide the sky and, with a low sun, the sun from all but the tips.
-    let lying = leaf.card.w;
-    let open = mix(mix(mix(style.mean.x, 1.0, along * sqrt(along)), 0.9, lying), 0.7, far);
-    let reach = 1.0 - along;
-    let through_canopy = mix(mix(exp(-style.mean.y * reach * reach / (0.25 + frame.sun.y)), 0.9, lying), 0.6, far);
-    let lit = shadows_lit(shadows_place(leaf.place, 0.10), 2.2, PLANTS_MEAN_LIT) * through_canopy;
-    let colour = shading_grass(albedo, normal, view, frame_light(), lit, open, style.tip.w);
+    let species = ShadingSpecies(style.root, style.tip, style.mean);
+    let card = ShadingCard(leaf.across, leaf.facing, leaf.card.z, leaf.card.w, leaf.patchwork.xyz, leaf.patchwork.w);
+    let lit = shadows_lit(shadows_place(leaf.place, 0.10), 2.2, SHADING_MEAN_LIT);
+    let colour = shading_foliage(species, card, texel, view, distance, frame_light(), lit);
     return vec4<f32>(leaf.air.rgb + colour * leaf.air.a, alpha);
 }

@@ -2,8 +2,6 @@
 
 pub mod bodies;
 pub mod clump_texture;
-pub mod frame;
-pub mod grid;
 pub mod ground;
 mod pipeline;
 pub mod plant_pass;
@@ -14,11 +12,12 @@ pub mod sky;
 pub mod targets;
 
 pub(crate) use pipeline::{PipelineParts, Slot, layout, main_pipeline, shadow_pipeline};
+use sward::geometry::{card, relief};
 use sward::shading;
 
 /// Bindings and structs every drawing pass begins with.
 pub const FRAME_WGSL: &str = include_str!("frame.wgsl");
-/// Ground height in frame space.
+/// Ground height in frame space; goes after [`relief::WGSL`].
 pub const HEIGHTS_WGSL: &str = include_str!("heights.wgsl");
 /// Reading the shadow map.
 pub const SHADOWS_WGSL: &str = include_str!("shadows.wgsl");
@@ -41,6 +40,7 @@ pub fn assembled() -> Vec<(&'static str, String)> {
         ("plants", assemble(&plant_pass::PARTS)),
         ("sky", assemble(&sky::PARTS)),
         ("resolve", assemble(&targets::PARTS)),
+        ("resolve, OpenGL", assemble(&targets::MEAN_PARTS)),
     ]
 }
 

@@ -12,6 +12,7 @@ pub(crate) enum Slot {
     Pictures,
     Filtering,
     Samples,
+    Mean,
 }
 
 pub(crate) fn layout(device: &wgpu::Device, label: &str, slots: &[(u32, Slot)]) -> wgpu::BindGroupLayout {
@@ -39,6 +40,7 @@ fn binding_type(slot: Slot) -> wgpu::BindingType {
         Slot::Pictures => texture(wgpu::TextureSampleType::Float { filterable: true }, array, false),
         Slot::Filtering => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         Slot::Samples => texture(wgpu::TextureSampleType::Float { filterable: false }, flat, true),
+        Slot::Mean => texture(wgpu::TextureSampleType::Float { filterable: false }, flat, false),
     }
 }
 

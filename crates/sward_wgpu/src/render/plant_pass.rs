@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use sward::shading::look::Style;
 use wgpu::util::DeviceExt;
 
 use super::clump_texture::ClumpTexture;
@@ -11,18 +12,8 @@ use super::{PipelineParts, Slot, layout, main_pipeline, shader, shadow_pipeline}
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader, after the common ones.
-pub const PARTS: [&str; 4] =
-    [super::SHADOWS_WGSL, include_str!("plants.wgsl"), include_str!("leaves.wgsl"), include_str!("plant_shadows.wgsl")];
-
-/// `Style` of `plants.wgsl`.
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-struct StyleUniform {
-    root: [f32; 4],
-    tip: [f32; 4],
-    mean: [f32; 4],
-    shape: [u32; 4],
-}
+pub const PARTS: [&str; 5] =
+    [super::card::WGSL, super::SHADOWS_WGSL, include_str!("plants.wgsl"), include_str!("leaves.wgsl"), include_str!("plant_shadows.wgsl")];
 
 /// A batch made ready for this frame.
 struct Ready<'a> {
@@ -172,13 +163,7 @@ fn index_buffer(device: &wgpu::Device, segments: u32, cards: u32) -> wgpu::Buffe
 }
 
 fn style_buffer(device: &wgpu::Device, look: &Look, batch: &PlantBatch<'_>) -> wgpu::Buffer {
-    let closed = look.cover();
-    let style = StyleUniform {
-        root: [look.root[0], look.root[1], look.root[2], look.dryness],
-        tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
-        mean: [1.0 - 0.88 * closed, 1.6 * closed, look.fade[0], look.fade[1]],
-        shape: [batch.segments, batch.cards, 2 * (batch.segments + 1) * batch.cards, PLANTS_PER_INSTANCE],
-    };
+    let style = Style::new(look, batch.segments, batch.cards, PLANTS_PER_INSTANCE);
     device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: Some("plant style"),
         contents: bytemuck::bytes_of(&style),

@@ -16,9 +16,6 @@ struct Style {
     shape: vec4<u32>, // segments, cards, vertices per plant, plants per instance
 }
 
-// Share of the sun that neighbours leave to a leaf, on average: holds where the shadow map does not reach.
-const PLANTS_MEAN_LIT: f32 = 0.62;
-
 @group(0) @binding(4) var<storage, read> plants: array<Plant>;
 @group(0) @binding(5) var<storage, read> joints: array<vec4<f32>>;
 @group(0) @binding(6) var<uniform> style: Style;
@@ -39,19 +36,10 @@ fn plants_bend(plant: Plant, index: u32, corner: u32, keep: f32) -> Bent {
     let here = joints[first + joint].xyz;
     let low = joints[first + select(joint - 1u, 0u, joint == 0u)].xyz;
     let high = joints[first + min(joint + 1u, segments)].xyz;
-    let tangent = normalize(high - low + vec3<f32>(0.0, 1e-5, 0.0));
     let turn = plant.yaw + f32(card) * 3.14159265 / f32(style.shape.y);
-    let flat_side = vec3<f32>(cos(turn), 0.0, sin(turn));
-    // Turn the side with the stem, then let lying cards spread on the ground instead of standing on edge.
-    let carried = flat_side - dot(flat_side, tangent) / max(1.0 + tangent.y, 0.1) * (tangent + vec3<f32>(0.0, 1.0, 0.0));
-    let level = normalize(vec3<f32>(-tangent.z, 0.0, tangent.x) + vec3<f32>(1e-4, 0.0, 0.0));
-    let spread = level * select(-1.0, 1.0, dot(carried, level) > 0.0);
-    let lying = smoothstep(0.35, 0.95, 1.0 - tangent.y);
-    let across = normalize(mix(carried, spread + 0.25 * carried * vec3<f32>(1.0, 0.0, 1.0), lying));
-    let width = plant.width * mix(1.0, 1.35, lying) * keep;
-    let place = base + (here - base) * keep + across * (0.5 * width * side)
-        + vec3<f32>(0.0, lying * 0.018 * f32(card + 1u) * f32(joint), 0.0);
-    return Bent(place, across, normalize(cross(across, tangent)), f32(joint) / f32(segments), side, lying);
+    let rung = card_rung(base, here, low, high, turn, plant.width, f32(card + 1u) * f32(joint), keep);
+    let place = rung.middle + rung.across * (0.5 * rung.width * side);
+    return Bent(place, rung.across, rung.facing, f32(joint) / f32(segments), side, rung.lying);
 }
 
 // Whether the whole plant lies outside the picture's sides or behind the eye, cheaply and on the safe side.

@@ -15,7 +15,9 @@ struct Prepare {
     width: f32,          // of a card, m
     wind_response: f32,
     fullness: f32,       // share of plants drawn up to `full`: 1 unless the budget is short
-    unused: vec2<f32>,
+    behind: f32,         // steps, 0 to 1, that the picture lies before the state
+    substeps: f32,       // the time level before is one of them ago
+    lag: vec4<f32>,      // gains of billboard_earlier
 }
 
 struct PatchDraw {
@@ -49,6 +51,7 @@ const NONE: u32 = 0xffffffffu;
 @group(0) @binding(6) var<storage, read> tile: array<vec2<f32>>;
 @group(0) @binding(7) var<storage, read_write> plants: array<Plant>;
 @group(0) @binding(8) var<storage, read_write> joints: array<vec4<f32>>;
+@group(0) @binding(9) var<storage, read> before: array<f32>;
 
 fn wind_tile_load(index: u32) -> vec2<f32> {
     return tile[index];
@@ -76,6 +79,11 @@ fn rest_at_plant(draw: PatchDraw, local: vec2<f32>) -> vec2<f32> {
         let base = wind_patch_phase(octave, draw.patch_index, wind.intervals);
         velocity += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
     }
+    for (var k = 0u; k < wind.footprint_count; k++) {
+        let print = wind.footprints[k];
+        let base = wind_footprint_base(print, draw.patch_index, wind.intervals);
+        velocity += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
+    }
     return wind_equilibrium(velocity, prepare.wind_response);
 }
 
@@ -88,6 +96,7 @@ fn owner_of(cell: vec2<i32>) -> vec3<u32> {
 }
 
 /// Bend of segment `segment` in one cell; β_eq where the patch sleeps, β where it keeps no upper segments.
+/// Segment NONE asks for the lowest one at the moment of the picture.
 fn cell_bend(which: u32, cell: vec2<i32>, segment: u32, rest: vec2<f32>) -> vec2<f32> {
     let owner = owner_of(cell);
     let slot = draws[which].slots[owner.x];
@@ -97,12 +106,16 @@ fn cell_bend(which: u32, cell: vec2<i32>, segment: u32, rest: vec2<f32>) -> vec2
     let area = prepare.placement.cells * prepare.placement.cells;
     let index = owner.z * prepare.placement.cells + owner.y;
     let lag = draws[which].lags[owner.x];
-    if segment > 0u && lag != NONE {
+    if segment > 0u && segment != NONE && lag != NONE {
         let plane = (lag * (prepare.segments - 1u) + segment - 1u) * 2u * area + index;
         return vec2<f32>(upper[plane], upper[plane + area]);
     }
     let plane = slot * 4u * area + index;
-    return vec2<f32>(now[plane], now[plane + area]);
+    let bend = vec2<f32>(now[plane], now[plane + area]);
+    if segment != NONE || prepare.behind == 0.0 {
+        return bend;
+    }
+    return mix(bend, vec2<f32>(before[plane], before[plane + area]), prepare.behind * prepare.substeps);
 }
 
 /// Bend between the four cells around a plant.
@@ -164,8 +177,21 @@ fn prepare_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     var spine: array<vec3<f32>, 9>;
     spine[0] = start;
+    // Where no upper segments are kept, all show what the lowest does.
+    let gains = select(vec4<f32>(0.0, 0.0, 1.0, 1.0), prepare.lag, draw.lags[4] != NONE);
+    var below_now = plant_bend(which, placed.root, 0u, rest);
+    var shown = plant_bend(which, placed.root, NONE, rest);
     for (var segment = 0u; segment < prepare.segments; segment++) {
-        local += billboard_segment(plant_bend(which, placed.root, segment, rest), length_);
+        if segment > 0u {
+            let here = plant_bend(which, placed.root, segment, rest);
+            if prepare.behind > 0.0 {
+                shown = billboard_earlier(here, below_now, shown, gains, prepare.behind);
+            } else {
+                shown = here;
+            }
+            below_now = here;
+        }
+        local += billboard_segment(shown, length_);
         let floor_ = terrain_height(prepare.grid, draw.anchor, local.xz) + BILLBOARD_CLEARANCE;
         local.y = max(local.y, floor_);
         spine[segment + 1u] = local;

@@ -1,6 +1,4 @@
-// Four HDR samples per pixel -> one display value. Each sample is tone-mapped before the mean: bright rims stay smooth.
-
-@group(0) @binding(1) var samples: texture_multisampled_2d<f32>;
+// HDR -> one display value per pixel.
 
 @vertex
 fn resolve_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
@@ -10,11 +8,7 @@ fn resolve_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<
 @fragment
 fn resolve_fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let pixel = vec2<i32>(position.xy);
-    var sum = vec3<f32>(0.0);
-    for (var index = 0; index < 4; index++) {
-        sum += shading_tone(textureLoad(samples, pixel, index).rgb * frame.forward.w);
-    }
     // Half a code value of noise hides the steps in a smooth sky.
     let grain = shading_hash(pixel.x, pixel.y, 5u) - 0.5;
-    return vec4<f32>(shading_encode(sum * 0.25) + grain / 255.0, 1.0);
+    return vec4<f32>(shading_encode(resolve_toned(pixel)) + grain / 255.0, 1.0);
 }

@@ -2,8 +2,8 @@
 
 use super::DEPTH;
 
-/// Texels along each side (`2048` in `shadows.wgsl`).
-pub const SIDE: u32 = 2048;
+/// Texels along each side.
+pub use sward::picture::frame::SHADOW_SIDE as SIDE;
 
 /// Depth seen from the sun, and how it is read.
 pub(crate) struct ShadowMap {

@@ -3,8 +3,10 @@
 use super::{COLOUR, DEPTH, SAMPLES, Slot, layout, shader};
 use crate::gpu::Gpu;
 
-/// Files of the pass's shader, after the common ones.
-pub const PARTS: [&str; 1] = [include_str!("resolve.wgsl")];
+/// Files of the resolving shader, after the common ones.
+pub const PARTS: [&str; 2] = [include_str!("resolve_samples.wgsl"), include_str!("resolve.wgsl")];
+/// The same for OpenGL: wgpu makes no multisampled texture there that a shader could read, so the device averages the samples first.
+pub const MEAN_PARTS: [&str; 2] = [include_str!("resolve_mean.wgsl"), include_str!("resolve.wgsl")];
 
 /// Format of finished pictures: sRGB code values.
 pub const DISPLAY: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -13,6 +15,8 @@ pub const DISPLAY: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 pub(crate) struct Targets {
     pub(crate) size: [u32; 2],
     colour: wgpu::TextureView,
+    /// Where the device averages samples; `None` where the resolving shader does.
+    mean: Option<wgpu::TextureView>,
     depth: wgpu::TextureView,
     bindings: wgpu::BindGroup,
     /// The finished picture, for reading back.
@@ -28,8 +32,9 @@ pub(crate) struct Resolve {
 impl Resolve {
     pub(crate) fn new(gpu: &Gpu) -> Self {
         let device = &gpu.device;
-        let module = shader(device, "resolve", &PARTS);
-        let layout = layout(device, "resolve", &[(0, Slot::Uniform), (1, Slot::Samples)]);
+        let (parts, slot) = if averages(gpu) { (&MEAN_PARTS, Slot::Mean) } else { (&PARTS, Slot::Samples) };
+        let module = shader(device, "resolve", parts);
+        let layout = layout(device, "resolve", &[(0, Slot::Uniform), (1, slot)]);
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("resolve"),
             bind_group_layouts: &[Some(&layout)],
@@ -74,17 +79,19 @@ impl Resolve {
             })
         };
         let view = |texture: &wgpu::Texture| texture.create_view(&Default::default());
-        let colour = view(&texture("colour", COLOUR, SAMPLES, wgpu::TextureUsages::TEXTURE_BINDING));
+        let read = wgpu::TextureUsages::TEXTURE_BINDING;
+        let mean = averages(gpu).then(|| view(&texture("mean", COLOUR, 1, read)));
+        let colour = view(&texture("colour", COLOUR, SAMPLES, if mean.is_some() { wgpu::TextureUsages::empty() } else { read }));
         let depth = view(&texture("depth", DEPTH, SAMPLES, wgpu::TextureUsages::empty()));
         let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("resolve"),
             layout: &self.layout,
             entries: &[
                 wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&colour) },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(mean.as_ref().unwrap_or(&colour)) },
             ],
         });
-        Targets { size, colour, depth, bindings, display: texture("picture", DISPLAY, 1, wgpu::TextureUsages::COPY_SRC) }
+        Targets { size, colour, mean, depth, bindings, display: texture("picture", DISPLAY, 1, wgpu::TextureUsages::COPY_SRC) }
     }
 
     pub(crate) fn draw(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets, to: &wgpu::TextureView) {
@@ -104,6 +111,11 @@ impl Resolve {
     }
 }
 
+/// Whether the device averages samples instead of the shader.
+fn averages(gpu: &Gpu) -> bool {
+    gpu.adapter_info.backend == wgpu::Backend::Gl
+}
+
 impl Targets {
     pub(crate) fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -111,7 +123,7 @@ impl Targets {
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view: &self.colour,
                 depth_slice: None,
-                resolve_target: None,
+                resolve_target: self.mean.as_ref(),
                 ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {

@@ -9,7 +9,7 @@ use sward::placement::{self, PlacementParameters};
 use sward::plan::StandPlan;
 use sward::scene::Scene;
 use sward::terrain::{self, Terrain, TerrainGrid};
-use sward::wind::{self, Source, Tile, WindField};
+use sward::wind::{self, Flow, Footprint, Images, Source, Tile, WindField};
 use sward::world::World;
 use sward_wgpu::compare::Tolerance;
 use sward_wgpu::gpu::Gpu;
@@ -75,11 +75,22 @@ pub(crate) fn wind_nodes_and_places(gpu: &Gpu) -> Verdict {
         Source::Natural { velocity: [-2.0, 5.0], turbulence: 0.5 },
         Source::Uniform { velocity: [0.0, 2.0] },
     ];
-    let field = WindField::at(&sources, 123_456_789, 1.0 / 60.0, 0.5);
-    let (block, tile) = (field.block(32), Tile::shipped());
+    let mut field = WindField::at(&sources, 123_456_789, 1.0 / 60.0, 0.5);
+    let mut images = Images::default();
+    let mut random = Random::new(u32::MAX - 1);
+    let painted: Vec<[f32; 2]> = (0..9 * 9).map(|_| [random.drawn(-1.0, 1.0), random.drawn(-1.0, 1.0)]).collect();
+    let painted = Flow::Image(images.add(9, &painted));
+    let prints = [(Flow::Outward, [12.3, 4.0]), (Flow::Swirl, [-6.0, 20.0]), (painted, [3.0, 3.7]), (painted, [40.0, 17.1])];
+    for (flow, centre) in prints {
+        field.footprints.extend(Footprint::new(flow, &images, centre, [0.8, -0.6], 14.0, 9.0, 32, 0.5));
+    }
+    let texels = [Tile::shipped().texels(), images.texels()].concat();
+    field.images = std::sync::Arc::new(images);
+    let block = field.block(32);
     let rust = |n: u32, input: &mut Vec<u32>| {
         let mut random = Random::new(n);
-        let patch = [random.whole(-9000, 9000), random.whole(-9000, 9000)];
+        let far = if n.is_multiple_of(2) { 9000 } else { 2 };
+        let patch = [random.whole(-far, far), random.whole(-far, far)];
         let node = [random.whole(-1, 34), random.whole(-1, 34)];
         let local = [random.float(-8.0, 40.0), random.float(-8.0, 40.0)];
         input.extend(random.words);
@@ -105,11 +116,17 @@ pub(crate) fn wind_nodes_and_places(gpu: &Gpu) -> Verdict {
             at_node += octave.amplitude * wind_sample(wind_node_phase(octave, base, node));
             between += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
         }
+        for (var k = 0u; k < wind.footprint_count; k++) {
+            let print = wind.footprints[k];
+            let base = wind_footprint_base(print, patch_index, wind.intervals);
+            at_node += wind_footprint_velocity(print, wind_footprint_to_node(print, base, node));
+            between += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
+        }
         put_v(at_node);
         put_v(between);
         put_v(wind_equilibrium(at_node, 0.0356));
     }";
-    let tables = &[bytemuck::cast_slice(tile.texels()), bytemuck::bytes_of(&block)];
+    let tables = &[bytemuck::cast_slice(&texels), bytemuck::bytes_of(&block)];
     // Between nodes a place of 40 m is rounded to 5 µm, over which the finest gust changes by 5e-5 m/s at most.
     let tolerance = Tolerance { p999: 2e-5, rms: 4e-6, outlier: 1e-4, share: 0.0 };
     Twin { name: "wind", library: &[math::WGSL, wind::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))

@@ -169,3 +169,46 @@ pub(crate) fn far_plants_need_one_segment(gpu: &Gpu) -> Verdict {
     ensure(plain.mean < 0.4, || format!("one segment is seen: {plain:?}"))?;
     ensure(gone.mean > 3.0 * plain.mean && gone.mean > 0.6, || format!("missing plants are not seen: {gone:?}"))
 }
+
+/// Joints of all plants in the first stand's last picture, one list a batch.
+fn joints_of(gpu: &Gpu, studio: &Studio) -> Result<Vec<[f32; 4]>, libtest_mimic::Failed> {
+    let mut all = Vec::new();
+    for batch in studio.batches(0).into_iter().flatten().filter(|batch| batch.plants > 0) {
+        let Some((_, joints)) = &batch.filled else { continue };
+        all.extend(readback::read::<[f32; 4]>(gpu, joints, u64::from(batch.plants) * 16 * u64::from(batch.segments + 1))?);
+    }
+    Ok(all)
+}
+
+/// A whole step before the state, the joints are those of the step before, within a tenth of what a step moves them (a thirtieth when this
+/// was written; cells under a body keep no past), and halfway they are between; the body is drawn where it was.
+pub(crate) fn pictures_between_steps(gpu: &Gpu) -> Verdict {
+    let text = "(version: 1, field: (patch_side: 16), stands: [(species: Reed, cells: 64)], wind: [Natural(velocity: (5, 2), turbulence: 0.5)],
+        interactors: [(shape: Sphere(radius: 1), path: Keyframes(keys: [(time: 0, at: (2, 4)), (time: 0.8, at: (2, 12)), (time: 9, at: (2, 99))]))],
+        camera: (eye: (2, 3, -4), target: (2, 0, 6)))";
+    let mut world = world_of(Scene::parse(text, "between.ron")?)?;
+    (0..60).for_each(|_| world.step());
+    let mut studio = Studio::new(gpu, &world)?;
+    let mut shown = |world: &sward::world::World, behind: f64| {
+        studio.draw_before(gpu, world, CellsAt::Cpu, behind, SIZE)?;
+        joints_of(gpu, &studio)
+    };
+    let before = shown(&world, 0.0)?;
+    let body = world.pose_before(0, 0.0);
+    world.step();
+    let (back, half, now) = (shown(&world, 1.0)?, shown(&world, 0.5)?, shown(&world, 0.0)?);
+    ensure(body == world.pose_before(0, 1.0), || "the body is not where it was".to_owned())?;
+    ensure(!before.is_empty() && [&back, &half, &now].iter().all(|list| list.len() == before.len()), || "plants come and go".to_owned())?;
+    let gap = |a: &[f32; 4], b: &[f32; 4]| (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f32>().sqrt();
+    let mut sorted: [Vec<f32>; 3] = Default::default();
+    for (k, then) in before.iter().enumerate() {
+        sorted[0].push(gap(&back[k], then));
+        sorted[1].push(gap(&now[k], then));
+        sorted[2].push((gap(&half[k], then) - gap(&half[k], &now[k])).abs());
+    }
+    sorted.iter_mut().for_each(|list| list.sort_by(f32::total_cmp));
+    let at = |list: usize, share: f64| sorted[list][((sorted[list].len() - 1) as f64 * share) as usize];
+    println!("a step back {:.1e} m (p99), shown now {:.1e}, halfway uneven by {:.1e}", at(0, 0.99), at(1, 0.99), at(2, 0.99));
+    ensure(at(0, 0.99) < 0.1 * at(1, 0.99) && at(2, 0.99) < 0.1 * at(1, 0.99), || "the moment before is not what was shown".to_owned())?;
+    ensure(at(1, 0.99) > 5e-3, || "control: a step moves nothing".to_owned())
+}

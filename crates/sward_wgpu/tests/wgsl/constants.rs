@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use sward::{geometry::billboard, response::continuum, state};
-use sward_wgpu::render::shadow;
+use sward_wgpu::render::{self, shadow};
 
 use crate::libraries::{core_sources, wgsl_files};
 
@@ -24,11 +24,12 @@ const BEND: &str = "response/continuum/bend.rs";
 /// Every constant of every `.wgsl` file.
 fn constants() -> Vec<(&'static str, Origin)> {
     vec![
-        ("SHADING_PERIOD", Source("render/frame.rs", "PATTERN_PERIOD")),
-        ("SHADING_SUN", Alone),
+        ("SHADING_PERIOD", Value(sward::shading::common::PERIOD)),
+        ("SHADING_SUN", Source("shading/sky.rs", "SUN")),
         ("SHADING_RAYLEIGH", Alone),
         ("SHADING_STRAW", Alone),
-        ("PLANTS_MEAN_LIT", Alone),
+        ("RESOLVE_SAMPLES", Value(f64::from(render::SAMPLES))),
+        ("SHADING_MEAN_LIT", Value(f64::from(sward::shading::foliage::MEAN_LIT))),
         ("CONTACT_BAND", Source("interaction/contact.rs", "BAND")),
         ("TERRAIN_DETAIL_PURPOSE", Source("terrain/detail.rs", "PURPOSE")),
         ("PLACEMENT_PRESENT", Source(PLACEMENT, "PRESENT")),
@@ -43,6 +44,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("CONTINUUM_OVER_THE_TOP", Source(BEND, "OVER_THE_TOP")),
         ("CONTINUUM_HOLDING", Source(BEND, "HOLDING")),
         ("BILLBOARD_CLEARANCE", Value(f64::from(billboard::CLEARANCE))),
+        ("WIND_TILE_TEXELS", Value((sward::wind::TILE_SIDE * sward::wind::TILE_SIDE) as f64)),
         ("NONE", Value(f64::from(state::NONE))),
     ]
 }
@@ -53,6 +55,9 @@ fn written_out() -> Vec<(&'static str, &'static str, f64)> {
         ("bend.wgsl", "math_atan(along), ", f64::from(continuum::SMALLEST_LIMIT)),
         ("shadows.wgsl", "texel = spread / ", f64::from(shadow::SIDE)),
         ("noise.wgsl", "octaves: array<WindOctave, ", sward::wind::MAX_OCTAVES as f64),
+        ("noise.wgsl", "footprints: array<WindFootprint, ", sward::wind::MAX_FOOTPRINTS as f64),
+        ("footprint.wgsl", "apart >= vec2<i32>(", 1024.0),
+        ("footprint.wgsl", "return vec2<i32>(", f64::from(i32::MAX / 2)),
         ("noise.wgsl", "(texel + 1u) & vec2<u32>(", f64::from(sward::wind::TILE_SIDE as u32 - 1)),
         ("noise.wgsl", "wind_tile_load(texel.y * ", f64::from(sward::wind::TILE_SIDE as u32)),
     ]

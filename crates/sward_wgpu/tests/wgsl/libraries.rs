@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
+use sward::geometry::{billboard, card, relief};
 use sward::response::continuum;
-use sward::{geometry::billboard, interaction, math, placement, shading, terrain, wind};
+use sward::{interaction, math, placement, shading, terrain, wind};
 
 use crate::texts::validate;
 
+const RELIEF_STUB: &str = "fn relief_load(index: i32) -> f32 { return f32(index); }";
 const TERRAIN_STUB: &str = "fn terrain_load(index: i32) -> f32 { return f32(index); }";
 const WIND_STUB: &str = "fn wind_tile_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 const CONTACT_STUB: &str = "fn contact_edge(index: u32) -> ContactEdge { var edge: ContactEdge; return edge; }";
@@ -24,6 +26,8 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("contact", vec![math::WGSL, CONTACT_STUB, interaction::WGSL]),
         ("continuum", continuum),
         ("billboard", vec![math::WGSL, billboard::WGSL]),
+        ("card", vec![card::WGSL]),
+        ("relief", vec![RELIEF_STUB, relief::WGSL]),
         ("shading/common", vec![shading::COMMON_WGSL]),
         ("shading", shading::WGSL.to_vec()),
     ]

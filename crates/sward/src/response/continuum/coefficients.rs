@@ -32,9 +32,9 @@ pub struct Coefficients {
     pub damping: f32,
     /// λ_ω for one substep.
     pub rate_damping: f32,
-    /// κ Δt², dimensionless.
+    /// κ Δt² as the scheme needs it (`restoring_of`), dimensionless.
     pub restoring: f32,
-    /// κ_ω Δt², dimensionless.
+    /// κ_ω Δt² likewise.
     pub rate_restoring: f32,
     /// Whole step, s (contact works on whole steps, the wave on substeps).
     pub step: f32,
@@ -61,6 +61,24 @@ fn damping_of(lambda: f32, dt: f64) -> f64 {
     1.0 - math::exp_f64(steps * math::ln_f64(1.0 - f64::from(lambda)))
 }
 
+/// What stands for κΔt² in the scheme so that a uniform bend sways and decays exactly as β'' = −κβ − 2γβ' does, at any step.
+///
+/// The scheme's modes are the roots of z² − (2 − λ − κΔt²) z + (1 − λ), the equation's are e^(−γΔt ± iω_dΔt). With λ as above their
+/// products agree, 1 − λ = e^(−2γΔt) = q²; their sums agree if κΔt² is replaced by 1 + q² − 2q cos(ω_dΔt), ω_d² = κ − γ². κΔt² itself
+/// is its limit in short steps, and lets lawn at 60 Hz recover a third too fast.
+fn restoring_of(kappa: f32, lambda: f32, dt: f64) -> f64 {
+    if kappa == 0.0 {
+        return 0.0;
+    }
+    let decay = -30.0 * math::ln_f64(1.0 - f64::from(lambda));
+    let q = math::exp_f64(-decay * dt);
+    let squared = f64::from(kappa) - decay * decay;
+    let turn = squared.abs().sqrt() * dt;
+    let cosine = if squared > 0.0 { math::sin_cos_f64(turn).1 } else { 0.5 * (math::exp_f64(turn) + math::exp_f64(-turn)) };
+    let restoring = (1.0 - q) * (1.0 - q) + 2.0 * q * (1.0 - cosine);
+    if restoring > 0.0 { restoring } else { 0.0 }
+}
+
 /// The fastest stable wave: `(Δx/Δt) √(0.98 (4 − 2λ − κΔt²)/8)` (methods §1.3).
 fn fastest(spacing: f64, dt: f64, damping: f64, restoring: f64) -> f64 {
     let room = 0.98 * (4.0 - 2.0 * damping - restoring) / 8.0;
@@ -76,7 +94,8 @@ impl Coefficients {
         let substeps = if whole > 1.0 { whole } else { 1.0 };
         let h = dt / substeps;
         let (damping, rate_damping) = (damping_of(species.lambda_theta, h), damping_of(species.lambda_omega, h));
-        let (restoring, rate_restoring) = (f64::from(species.kappa) * h * h, f64::from(species.kappa_omega) * h * h);
+        let restoring = restoring_of(species.kappa, species.lambda_theta, h);
+        let rate_restoring = restoring_of(species.kappa_omega, species.lambda_omega, h);
         let rate_speed = f64::from(species.c_omega).min(fastest(spacing, h, rate_damping, rate_restoring));
         let (turn_sine, turn_cosine) = math::sin_cos_f64(12.0 * dt);
         let coefficients = Self {

@@ -57,6 +57,20 @@ impl LagCoefficients {
         }
     }
 
+    /// What [`crate::geometry::billboard::earlier`] needs to show an upper segment between two steps: the gain of taking a step back,
+    /// g/(1 − g), while bending and while recovering, at most 2; and the share left to the segment below beyond that. Segments that
+    /// do not trail by the cascade move with the one below.
+    pub fn past(&self) -> [f32; 4] {
+        if self.kind != 0 {
+            return [0.0, 0.0, 1.0, 1.0];
+        }
+        let split = |gain: f32| {
+            if 3.0 * gain <= 2.0 { (gain / (1.0 - gain), 0.0) } else { (2.0, 1.0 - 2.0 * (1.0 - gain) / gain) }
+        };
+        let ((top, top_share), (recover, recover_share)) = (split(self.gain_top), split(self.gain_recover));
+        [top, recover, top_share, recover_share]
+    }
+
     /// Delay of segment `i`, s: grows evenly to the top.
     #[inline(always)]
     pub fn delay(&self, i: u32, gamma: f32) -> f32 {

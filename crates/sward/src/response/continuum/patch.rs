@@ -5,7 +5,7 @@
 
 use super::bend;
 use super::coefficients::{Coefficients, RATE_LIMIT};
-use super::propagate::{RowInput, RowPeak, deviation, fade_row, keep_held, limit_row, propagate_row};
+use super::propagate::{RowInput, RowPeak, deviation, fade_row, keep_held, largest, limit_row, propagate_row};
 use super::rest::Rest;
 use crate::activation::BAND;
 use crate::interaction::{Contact, ContactEdge, contact_at};
@@ -84,6 +84,8 @@ pub struct Scratch {
     middle: [Vec<f32>; 4],
     outside: [Vec<f32>; 4],
     rest: [Vec<f32>; 2],
+    columns: [Vec<f32>; 2],
+    deviations: Vec<u32>,
 }
 
 impl Scratch {
@@ -91,13 +93,22 @@ impl Scratch {
         self.middle.iter_mut().for_each(|row| row.resize(cells + 2, 0.0));
         self.outside.iter_mut().for_each(|row| row.resize(cells, 0.0));
         self.rest.iter_mut().for_each(|row| row.resize(cells, 0.0));
+        self.columns.iter_mut().for_each(|column| column.resize(4 * cells, 0.0));
+        self.deviations.resize(cells, 0);
     }
 }
 
-fn planes(patch: &[f32], cells: usize, row: usize) -> [&[f32]; 4] {
-    [0, 1, 2, 3].map(|plane| &patch[(plane * cells + row) * cells..][..cells])
+#[inline(always)]
+fn plane_row(patch: &[f32], cells: usize, plane: usize, row: usize) -> &[f32] {
+    &patch[(plane * cells + row) * cells..][..cells]
 }
 
+#[inline(always)]
+fn planes(patch: &[f32], cells: usize, row: usize) -> [&[f32]; 4] {
+    [plane_row(patch, cells, 0, row), plane_row(patch, cells, 1, row), plane_row(patch, cells, 2, row), plane_row(patch, cells, 3, row)]
+}
+
+#[inline(always)]
 fn planes_mut(patch: &mut [f32], cells: usize, row: usize) -> Option<[&mut [f32]; 4]> {
     let mut rows = patch.chunks_exact_mut(cells).skip(row).step_by(cells);
     Some([rows.next()?, rows.next()?, rows.next()?, rows.next()?])
@@ -116,41 +127,60 @@ fn outside<'a>(wave: &Wave<'a>, side: usize, cells: usize, rows: &'a mut [Vec<f3
     [x, z, wx, wz]
 }
 
-fn fill_middle(wave: &Wave, cells: usize, j: usize, middle: &mut [Vec<f32>; 4]) {
-    let side = |which: usize, column: usize, i: i32| match wave.neighbours[which] {
-        Some(neighbour) => planes(neighbour, cells, j).map(|row| row[column]),
-        None => {
-            let rest = wave.rest.at(i, j as i32);
-            [rest[0], rest[1], 0.0, 0.0]
+/// The halo columns at −x and +x, planes of `cells` values: of the awake neighbours, or at rest. Gathered at once, since one by one
+/// each would wait for memory.
+#[inline(always)]
+fn fill_columns(wave: &Wave, cells: usize, columns: &mut [Vec<f32>; 2]) {
+    for (which, column, i) in [(0, cells - 1, -1), (1, 0, cells as i32)] {
+        let out = &mut columns[which];
+        match wave.neighbours[which] {
+            Some(neighbour) => {
+                for row in 0..4 * cells {
+                    out[row] = neighbour[row * cells + column];
+                }
+            }
+            None => {
+                out.fill(0.0);
+                for j in 0..cells {
+                    let rest = wave.rest.at(i, j as i32);
+                    (out[j], out[cells + j]) = (rest[0], rest[1]);
+                }
+            }
         }
-    };
-    let (left, right) = (side(0, cells - 1, -1), side(1, 0, cells as i32));
-    for (plane, row) in planes(wave.now, cells, j).into_iter().enumerate() {
-        middle[plane][0] = left[plane];
-        middle[plane][1..=cells].copy_from_slice(row);
-        middle[plane][cells + 1] = right[plane];
     }
 }
 
 #[inline(always)]
-fn summarise(next: &[&mut [f32]; 4], rest: [&[f32]; 2], j: usize, summary: &mut [u32; 5]) {
-    let cells = next[0].len();
-    let at = |i: usize| deviation([next[0][i], next[1][i], next[2][i], next[3][i]], [rest[0][i], rest[1][i]]).to_bits();
-    let mut largest = 0;
-    for i in 0..cells {
-        let bits = at(i);
-        largest = if bits > largest { bits } else { largest };
+fn fill_middle(wave: &Wave, cells: usize, j: usize, columns: &[Vec<f32>; 2], middle: &mut [Vec<f32>; 4]) {
+    for plane in 0..4 {
+        let row = &mut middle[plane];
+        row[0] = columns[0][plane * cells + j];
+        row[1..=cells].copy_from_slice(plane_row(wave.now, cells, plane, j));
+        row[cells + 1] = columns[1][plane * cells + j];
     }
-    summary[0] = summary[0].max(largest);
-    for i in 0..BAND.min(cells) {
-        summary[1] = summary[1].max(at(i));
-        summary[2] = summary[2].max(at(cells - 1 - i));
+}
+
+/// Bits of the squared deviations of a row: not negative, so they order like numbers, and what is no number is largest.
+#[inline(always)]
+fn deviations(next: &[&mut [f32]; 4], rest: [&[f32]; 2], bits: &mut [u32]) {
+    let n = bits.len();
+    let [bx, bz, wx, wz] = [&next[0][..n], &next[1][..n], &next[2][..n], &next[3][..n]];
+    let [ex, ez] = [&rest[0][..n], &rest[1][..n]];
+    for i in 0..n {
+        bits[i] = deviation([bx[i], bz[i], wx[i], wz[i]], [ex[i], ez[i]]).to_bits();
     }
-    if j < BAND {
-        summary[3] = summary[3].max(largest);
-    }
-    if j + BAND >= cells {
-        summary[4] = summary[4].max(largest);
+}
+
+#[inline(always)]
+fn summarise(bits: &[u32], j: usize, summary: &mut [u32; 5]) {
+    let cells = bits.len();
+    let band = if BAND < cells { BAND } else { cells };
+    let all = largest(bits);
+    let (first, last) = (largest(&bits[..band]), largest(&bits[cells - band..]));
+    let low = if j < BAND { all } else { 0 };
+    let high = if j + BAND >= cells { all } else { 0 };
+    for (sum, value) in summary.iter_mut().zip([all, first, last, low, high]) {
+        *sum = if value > *sum { value } else { *sum };
     }
 }
 
@@ -160,20 +190,21 @@ pub fn step_patch(co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32],
     scratch.resize(cells);
     let (mut squares, mut clamped) = ([0_u32; 5], 0);
     let safe = [(wave.safe_limit * wave.safe_limit).to_bits(), (RATE_LIMIT * RATE_LIMIT * 0.9999).to_bits()];
+    fill_columns(wave, cells, &mut scratch.columns);
     for j in 0..cells {
-        fill_middle(wave, cells, j, &mut scratch.middle);
+        fill_middle(wave, cells, j, &scratch.columns, &mut scratch.middle);
         let [rest_x, rest_z] = &mut scratch.rest;
         wave.rest.row(j as i32, [rest_x, rest_z]);
         let rest = [&scratch.rest[0][..cells], &scratch.rest[1][..cells]];
-        let inner = |row: usize| planes(wave.now, cells, row);
         let (first, last) = (j == 0, j + 1 == cells);
         let (before, after) = match (first, last) {
-            (true, _) => (outside(wave, 2, cells, &mut scratch.outside), inner(j + 1)),
-            (_, true) => (inner(j - 1), outside(wave, 3, cells, &mut scratch.outside)),
-            _ => (inner(j - 1), inner(j + 1)),
+            (true, _) => (outside(wave, 2, cells, &mut scratch.outside), planes(wave.now, cells, j + 1)),
+            (_, true) => (planes(wave.now, cells, j - 1), outside(wave, 3, cells, &mut scratch.outside)),
+            _ => (planes(wave.now, cells, j - 1), planes(wave.now, cells, j + 1)),
         };
         let held = if wave.held.is_empty() { wave.held } else { &wave.held[j * cells..][..cells] };
-        let middle = [0, 1, 2, 3].map(|plane| &scratch.middle[plane][..]);
+        let [a, b, c, d] = &scratch.middle;
+        let middle = [&a[..], &b[..], &c[..], &d[..]];
         let input = RowInput { middle, before, after, rest, held };
         let Some(mut next) = planes_mut(old, cells, j) else { continue };
         let peak: RowPeak = propagate_row(co, &input, &mut next);
@@ -184,7 +215,8 @@ pub fn step_patch(co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32],
         if wave.keep < 1.0 {
             fade_row(&mut next, rest, wave.keep);
         }
-        summarise(&next, rest, j, &mut squares);
+        deviations(&next, rest, &mut scratch.deviations);
+        summarise(&scratch.deviations, j, &mut squares);
     }
     let [largest, borders @ ..] = squares.map(f32::from_bits);
     Summary { largest, borders, clamped }

@@ -37,7 +37,7 @@ fn mixed(a: f32, b: f32, weight: f32) -> f32 {
 impl Rest {
     /// β_eq of patch `patch` with `cells` cells a side in the wind of this step, for plants of wind response `k_w`.
     pub fn of(wind: &WindField, patch: [i32; 2], cells: u32, k_w: f32) -> Self {
-        if wind.octaves.is_empty() || k_w == 0.0 {
+        if !wind.varies() || k_w == 0.0 {
             return Self::Uniform(equilibrium(wind.mean, k_w));
         }
         let intervals = (cells / NODE_CELLS) as i32;

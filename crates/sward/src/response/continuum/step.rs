@@ -3,12 +3,12 @@
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use super::coefficients::safe_limit;
-use super::lag::{cascade, from_history, look_up_offset};
+use super::coefficients::{Coefficients, safe_limit};
+use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
 use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
 use super::rest::Rest;
 use crate::interaction::Contact;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Work};
 use crate::plan::{PatchPlan, StandPlan};
 use crate::response::StandModel;
 use crate::state::{Cells, Ground, NONE, PatchKey, Summary, TILE};
@@ -93,6 +93,39 @@ fn reserve(cells: &mut Cells, plan: &StandPlan, area: usize) {
     }
 }
 
+/// The wave of one patch.
+struct PatchWork<'a> {
+    co: &'a Coefficients,
+    side: usize,
+    wave: &'a Wave<'a>,
+    old: &'a mut [f32],
+}
+
+impl Work for PatchWork<'_> {
+    type Output = Summary;
+
+    #[inline(always)]
+    fn run(self) -> Summary {
+        step_patch(self.co, self.side, self.wave, self.old, &mut Scratch::default())
+    }
+}
+
+/// The cascade of one patch.
+struct CascadeWork<'a> {
+    lag: &'a LagCoefficients,
+    bend: [&'a [f32]; 2],
+    upper: &'a mut [f32],
+}
+
+impl Work for CascadeWork<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        cascade(self.lag, self.bend, self.upper);
+    }
+}
+
 /// contact → wave → limits of one stand; returns what activation wants to know of each patch. `cells.now` is one step on afterwards.
 pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut Cells, lanes: Lanes) -> Vec<(PatchKey, Summary)> {
     let side = stand.cells as usize;
@@ -128,7 +161,7 @@ pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut
                 held: &task.held,
                 keep: if last { task.plan.keep } else { 1.0 },
             };
-            let summary = lanes.run(|| step_patch(&stand.coefficients, side, &wave, old, &mut Scratch::default()));
+            let summary = lanes.run(PatchWork { co: &stand.coefficients, side, wave: &wave, old });
             (task.plan.patch, summary)
         });
         std::mem::swap(&mut cells.now, &mut cells.old);
@@ -139,6 +172,12 @@ pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut
 /// The upper segments and the past of one lag slot.
 type Lagging<'a> = (&'a mut Box<[f32]>, &'a mut Box<[f32]>);
 
+/// Planes of upper segments, and of the past that `history` keeps, in one lag slot.
+pub fn lag_planes(lag: &LagCoefficients) -> [usize; 2] {
+    let upper = 2 * (lag.segments.max(1) as usize - 1);
+    [upper, if lag.kind == 1 && upper > 0 { 2 * lag.ring as usize } else { 0 }]
+}
+
 /// Upper segments of the patches that keep them, after [`step`]. `index` counts steps, for the ring of `history`.
 pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64, lanes: Lanes) {
     let lag = &stand.lag;
@@ -146,8 +185,7 @@ pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64,
         return;
     }
     let area = (stand.cells * stand.cells) as usize;
-    let upper = (lag.segments as usize - 1) * 2 * area;
-    let ring = if lag.kind == 1 { lag.ring as usize * 2 * area } else { 0 };
+    let [upper, ring] = lag_planes(lag).map(|planes| planes * area);
     for patch in plan.patches.iter().filter(|patch| patch.lag != NONE) {
         while cells.lag.len() <= patch.lag as usize {
             cells.lag.push(vec![0.0; upper].into_boxed_slice());
@@ -169,7 +207,7 @@ pub fn lags(stand: &StandModel, plan: &StandPlan, cells: &mut Cells, index: u64,
             history.chunks_exact_mut(area).enumerate().for_each(|(plane, out)| out.copy_from_slice(bend[plane % 2]));
         }
         match lag.kind {
-            0 => lanes.run(|| cascade(lag, bend, upper)),
+            0 => lanes.run(CascadeWork { lag, bend, upper }),
             1 => remember(stand, bend, upper, history, index),
             _ => look_up(stand, patch, now, upper),
         }

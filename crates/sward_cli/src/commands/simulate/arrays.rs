@@ -120,10 +120,12 @@ impl Writer<'_> {
         let node = world.model.stands.first().map_or(WIND_SPACING, |stand| stand.spacing * f64::from(NODE_CELLS));
         let stride = (WIND_SPACING / node).round().max(1.0);
         let spacing = stride * node;
-        let wind = WindField::at(&world.model.sources, world.state.step, world.model.dt, node);
+        let stand = world.model.stands.first();
+        let still = || WindField::at(&world.model.sources, world.state.step, world.model.dt, node);
+        let wind = stand.map_or_else(still, |stand| world.wind(stand));
         let focus = world.state.focuses.first().copied().unwrap_or_else(|| world.camera().focus());
         let first = focus.map(|at| (at / spacing).round() as i32 - WIND_SIDE / 2);
-        let phases = wind.patch_phases([0, 0], 0);
+        let phases = wind.patch_phases([0, 0], stand.map_or(1, |stand| stand.cells / NODE_CELLS));
         let sample = |k: i32, axis: usize| first[axis].saturating_add(k).saturating_mul(stride as i32);
         let nodes = (0..WIND_SIDE).flat_map(|z| (0..WIND_SIDE).map(move |x| [x, z]));
         let data = nodes.flat_map(|[x, z]| wind.velocity(&phases, [sample(x, 0), sample(z, 1)]));

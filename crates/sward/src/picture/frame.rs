@@ -1,11 +1,15 @@
 //! What is drawn from where, in which light; and its layout for the shaders.
 
 use glam::{DVec2, Mat4, Quat, Vec3, Vec4};
-use sward::shading::sky::Light;
-use sward::terrain::TerrainDetail;
 
-/// The pattern of the ground repeats after this many metres (`SHADING_PERIOD` in `common.wgsl`).
-const PATTERN_PERIOD: f64 = 1024.0;
+use crate::geometry::relief::ReliefFrame;
+use crate::shading::common::PERIOD;
+use crate::shading::sky::Light;
+
+/// Texels along each side of the sun's shadow map (`2048` in `shadows.wgsl`).
+pub const SHADOW_SIDE: u32 = 2048;
+/// Distance of the near plane, m.
+pub const NEAR: f32 = 0.05;
 
 /// Where the camera is and where it looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,35 +91,38 @@ pub struct FrameInput<'a> {
 #[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct FrameUniform {
-    view_projection: Mat4,
-    shadow: Mat4,
-    right: Vec4,
-    up: Vec4,
-    forward: Vec4,
-    camera: Vec4,
-    phase: Vec4,
-    sun: Vec4,
-    sun_colour: Vec4,
-    sky: Vec4,
-    ground: Vec4,
-    relief: Vec4,
-    relief_size: [u32; 4],
-    detail: Vec4,
-    detail_place: Vec4,
-    detail_cell: [i32; 4],
-}
-
-/// The terrain's samples as the shaders address them.
-#[derive(Clone, Copy, Debug)]
-pub struct ReliefFrame {
-    /// Samples per metre in x and z, then the sample position of the frame origin.
-    pub mapping: [f32; 4],
-    /// Columns and rows.
-    pub size: [u32; 2],
-    /// Noise on top.
-    pub detail: TerrainDetail,
-    /// The frame origin's cell of the noise, and the way through it.
-    pub detail_anchor: ([i32; 2], [f32; 2]),
+    /// Frame space to clip space; depth 1 at the near plane, 0 at infinity.
+    pub view_projection: Mat4,
+    /// Frame space to shadow map: xy 0..=1, v down; z depth 0..=1.
+    pub shadow: Mat4,
+    /// Camera's right, scaled by the half width of the picture plane; w = height of one pixel at distance 1.
+    pub right: Vec4,
+    /// Camera's up, scaled by the half height; w = time, s.
+    pub up: Vec4,
+    /// Unit vector ahead; w = exposure factor.
+    pub forward: Vec4,
+    /// Eye, m; w = fog density, 1/m.
+    pub camera: Vec4,
+    /// Frame origin modulo the pattern's period, m; zw = drift of the clouds.
+    pub phase: Vec4,
+    /// Unit vector towards the sun; w = haze.
+    pub sun: Vec4,
+    /// Irradiance of a surface facing the sun; w = cloud cover.
+    pub sun_colour: Vec4,
+    /// Mean radiance of the sky; w = metres per shadow texel.
+    pub sky: Vec4,
+    /// Mean radiance of the ground; w = 1 where the shadow map is in use.
+    pub ground: Vec4,
+    /// Terrain: samples per metre (xy), sample position of the frame origin (zw).
+    pub relief: Vec4,
+    /// Columns, rows.
+    pub relief_size: [u32; 4],
+    /// Noise on top: 1/wavelength, amplitude, roughness.
+    pub detail: Vec4,
+    /// Way of the frame origin through its cell of the noise.
+    pub detail_place: Vec4,
+    /// That cell; octaves; seed.
+    pub detail_cell: [i32; 4],
 }
 
 impl FrameUniform {
@@ -128,8 +135,8 @@ impl FrameUniform {
         let aspect = size[0].max(1) as f32 / size[1].max(1) as f32;
         let (right, up, ahead) = (view.rotation * Vec3::X, view.rotation * Vec3::Y, view.rotation * Vec3::NEG_Z);
         let turn = Mat4::from_rotation_translation(view.rotation, view.position).inverse();
-        let projection = Mat4::perspective_infinite_reverse_rh(view.field_of_view, aspect, 0.05);
-        let phase = DVec2::from(input.origin).rem_euclid(DVec2::splat(PATTERN_PERIOD)).as_vec2();
+        let projection = Mat4::perspective_infinite_reverse_rh(view.field_of_view, aspect, NEAR);
+        let phase = DVec2::from(input.origin).rem_euclid(DVec2::splat(PERIOD)).as_vec2();
         let drift = (input.time * 0.002).rem_euclid(256.0) as f32;
         Self {
             view_projection: projection * turn,
@@ -141,7 +148,7 @@ impl FrameUniform {
             phase: Vec4::new(phase.x, phase.y, drift, 0.4 * drift),
             sun: sun.sun.extend(light.haze),
             sun_colour: sun.sun_colour.extend(light.clouds),
-            sky: sun.sky.extend(2.0 * shadow_reach / super::shadow::SIDE as f32),
+            sky: sun.sky.extend(2.0 * shadow_reach / SHADOW_SIDE as f32),
             ground: sun.ground.extend(1.0),
             relief: Vec4::from(relief.mapping),
             relief_size: [relief.size[0], relief.size[1], 0, 0],
@@ -167,7 +174,7 @@ fn shadow_matrix(focus: Vec3, sun: Vec3, reach: f32) -> Mat4 {
     let up = sun.cross(right);
     // A low sun sees level ground foreshortened: the map need not be square in metres. Slopes and tall bodies add to it.
     let half_up = reach * (sun.y + 0.12).min(1.0) + 4.0;
-    let texel = [2.0 * reach / super::shadow::SIDE as f32, 2.0 * half_up / super::shadow::SIDE as f32];
+    let texel = [2.0 * reach / SHADOW_SIDE as f32, 2.0 * half_up / SHADOW_SIDE as f32];
     // Steps of whole texels keep the rims of shadows from crawling with the camera.
     let snap = |value: f32, step: f32| (value / step).round() * step;
     let centre = [snap(focus.dot(right), texel[0]), snap(focus.dot(up), texel[1]), focus.dot(sun)];

@@ -1,0 +1,21 @@
+//! A picture of a world, as far as no graphics device is needed: what is drawn, from where, in which light.
+//!
+//! `sward_wgpu` and `sward_raster` both draw from it: [`plan`] decides which patches are seen, [`prepare`] solves each visible plant
+//! once (on a GPU `prepare.wgsl` does), [`frame`] lays out camera, light and shadow map, [`subject`] gives looks, meshes and poses.
+
+pub mod frame;
+pub mod plan;
+pub mod plants;
+pub mod prepare;
+pub mod subject;
+
+/// A finished picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels per row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// sRGB code values and opaque alpha, row-major from the top left.
+    pub rgba8: Vec<u8>,
+}

@@ -1,0 +1,256 @@
+//! Prepare: each visible plant is solved once, into joints that the shadow and the main pass share.
+//!
+//! The CPU side of `prepare.wgsl`, function by function: same names, same arithmetic. Reads cells and wind, writes plants and joints.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec2, Vec3};
+
+use super::plan::{FULL_CELLS, PatchDraw, Seen, THINNING, bits};
+use super::plants::Plant;
+use crate::geometry::billboard::{CLEARANCE, earlier, segment};
+use crate::math;
+use crate::placement::{self, PlacementParameters};
+use crate::response::StandModel;
+use crate::shading::clump::{VARIANTS, first_layer};
+use crate::shading::look::Look;
+use crate::state::{Cells, NONE};
+use crate::terrain::{Terrain, TerrainGrid};
+use crate::wind::{self, Phases, WindField};
+use crate::world::World;
+
+/// `Prepare` of `prepare.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PrepareUniform {
+    /// Where plants stand.
+    pub placement: PlacementParameters,
+    /// The terrain's samples.
+    pub grid: TerrainGrid,
+    /// Eye, m from the frame origin; the fourth is not used.
+    pub camera: [f32; 4],
+    /// Segments of the simulation.
+    pub segments: u32,
+    /// Segments of the cards.
+    pub drawn: u32,
+    /// The drawing order covers 2^bits cells a side.
+    pub bits: u32,
+    /// First clump picture.
+    pub layer: u32,
+    /// Distance beyond which plants are straight, m; 0 where all are plain anyway.
+    pub plain: f32,
+    /// Distance up to which every plant is drawn, m.
+    pub full: f32,
+    /// Distance beyond which none is, m.
+    pub gone: f32,
+    /// Width of a card, m.
+    pub width: f32,
+    /// k_w.
+    pub wind_response: f32,
+    /// Share of plants drawn up to `full`.
+    pub fullness: f32,
+    /// Steps, 0 to 1, that the picture lies before the state.
+    pub behind: f32,
+    /// Substeps of the wave: the time level before is one of them ago.
+    pub substeps: f32,
+    /// Gains of `billboard_earlier`.
+    pub lag: [f32; 4],
+}
+
+impl PrepareUniform {
+    /// What a stand's batch is prepared with; `plain` batches have one segment.
+    pub fn new(world: &World, stand: &StandModel, plain: bool, seen: &Seen, look: &Look) -> Self {
+        let Seen { view, origin, fullness, behind } = *seen;
+        let side = world.model.patch_side;
+        let billboard = &stand.species.billboard;
+        Self {
+            placement: stand.placement,
+            grid: world.model.terrain.grid(),
+            camera: [
+                (view.eye[0] - f64::from(origin[0]) * side) as f32,
+                view.eye[1] as f32,
+                (view.eye[2] - f64::from(origin[1]) * side) as f32,
+                0.0,
+            ],
+            segments: billboard.segments,
+            drawn: if plain { 1 } else { billboard.segments },
+            bits: bits(stand.cells),
+            layer: first_layer(look.kind),
+            plain: if plain { 0.0 } else { billboard.plain_distance },
+            full: FULL_CELLS * stand.spacing as f32,
+            gone: look.fade[1],
+            width: billboard.width,
+            wind_response: stand.species.continuum.wind,
+            fullness: fullness as f32,
+            behind: behind as f32,
+            substeps: stand.substeps as f32,
+            lag: stand.lag.past(),
+        }
+    }
+}
+
+/// What the preparing of one stand reads.
+pub struct Preparing<'a> {
+    /// Numbers of the batch.
+    pub uniform: PrepareUniform,
+    /// The stand's cells.
+    pub cells: &'a Cells,
+    /// Ground.
+    pub terrain: &'a Terrain,
+    /// The wind on the nodes of the stand.
+    pub wind: &'a WindField,
+    /// Node intervals along a patch side.
+    pub intervals: u32,
+}
+
+/// Cell at a place of the drawing order: bit-reversed Morton, so that any first part of the order is spread evenly.
+fn ordered_cell(rank: u32, bits: u32) -> [u32; 2] {
+    let mut cell = [0; 2];
+    for b in 0..bits {
+        let high = bits - 1 - b;
+        cell[0] |= ((rank >> (2 * b)) & 1) << high;
+        cell[1] |= (((rank >> (2 * b + 1)) ^ (rank >> (2 * b))) & 1) << high;
+    }
+    cell
+}
+
+/// Which of the nine patches around (and including) this one holds a cell, and the cell in it.
+fn owner_of(cell: [i32; 2], side: i32) -> (usize, [usize; 2]) {
+    let over = cell.map(|at| i32::from(at >= side) - i32::from(at < 0));
+    let at = [0, 1].map(|axis| (cell[axis] - over[axis] * side) as usize);
+    (((over[1] + 1) * 3 + over[0] + 1) as usize, at)
+}
+
+/// Segment number that asks for the lowest one at the moment of the picture.
+const SHOWN: usize = usize::MAX;
+
+/// A vector of a cell: its x in `plane`, its z in the next one.
+fn vector(store: &[Box<[f32]>], slot: u32, area: usize, plane: usize, index: usize) -> Option<Vec2> {
+    let planes = store.get(slot as usize)?;
+    Some(Vec2::new(*planes.get(plane * area + index)?, *planes.get((plane + 1) * area + index)?))
+}
+
+impl Preparing<'_> {
+    fn rest_at_plant(&self, phases: &Phases, local: [f32; 2]) -> Vec2 {
+        wind::equilibrium(self.wind.velocity_local(phases, local), self.uniform.wind_response).into()
+    }
+
+    /// Bend of segment `segment` in one cell; β_eq where the patch sleeps, β where it keeps no upper segments.
+    /// Segment [`SHOWN`] asks for the lowest one at the moment of the picture.
+    fn cell_bend(&self, draw: &PatchDraw, cell: [i32; 2], segment: usize, rest: Vec2) -> Vec2 {
+        let side = self.uniform.placement.cells as usize;
+        let (owner, [i, j]) = owner_of(cell, side as i32);
+        let (slot, lag) = (draw.slots[owner], draw.lags[owner]);
+        if slot == NONE {
+            return rest;
+        }
+        let (area, index) = (side * side, j * side + i);
+        let (store, place, plane) = if segment > 0 && segment != SHOWN && lag != NONE {
+            (&self.cells.lag, lag, 2 * (segment - 1))
+        } else {
+            (&self.cells.now, slot, 0)
+        };
+        // Cells that a GPU holds and that were not brought here: at rest.
+        let bend = vector(store, place, area, plane, index).unwrap_or(rest);
+        if segment != SHOWN || self.uniform.behind == 0.0 {
+            return bend;
+        }
+        let before = vector(&self.cells.old, slot, area, 0, index).unwrap_or(rest);
+        bend.lerp(before, self.uniform.behind * self.uniform.substeps)
+    }
+
+    /// Bend between the four cells around a plant.
+    fn plant_bend(&self, draw: &PatchDraw, local: [f32; 2], segment: usize, rest: Vec2) -> Vec2 {
+        let placement = &self.uniform.placement;
+        let at = local.map(|metres| metres / placement.spacing - 0.5);
+        let corner = at.map(f32::floor);
+        let f = [at[0] - corner[0], at[1] - corner[1]];
+        let cell = corner.map(|k| k as i32);
+        let bend = |x: i32, z: i32| self.cell_bend(draw, [cell[0] + x, cell[1] + z], segment, rest);
+        let low = bend(0, 0).lerp(bend(1, 0), f[0]);
+        let high = bend(0, 1).lerp(bend(1, 1), f[0]);
+        let bend = low.lerp(high, f[1]);
+        let side = placement.spacing * placement.cells as f32;
+        let [a, b, c, d] = draw.weights;
+        let (x, z) = (local[0] / side, local[1] / side);
+        let (low, high) = (a + (b - a) * x, c + (d - c) * x);
+        rest.lerp(bend, low + (high - low) * z)
+    }
+
+    /// Solves the plants of one patch: `draw.count` plants, and `drawn + 1` joints of each. Places without a plant get height 0.
+    pub fn prepare_patch(&self, draw: &PatchDraw, plants: &mut [Plant], joints: &mut [[f32; 4]]) {
+        let phases = self.wind.patch_phases(draw.patch, self.intervals);
+        let per_plant = self.uniform.drawn as usize + 1;
+        for (rank, (plant, joints)) in plants.iter_mut().zip(joints.chunks_exact_mut(per_plant)).enumerate() {
+            *plant = self.prepare_plant(draw, &phases, rank as u32, joints).unwrap_or_default();
+        }
+    }
+
+    fn prepare_plant(&self, draw: &PatchDraw, phases: &Phases, rank: u32, joints: &mut [[f32; 4]]) -> Option<Plant> {
+        let prepare = &self.uniform;
+        let cell = ordered_cell(rank, prepare.bits);
+        if cell.iter().any(|at| *at >= prepare.placement.cells) {
+            return None;
+        }
+        let placed = placement::plant(&prepare.placement, draw.patch, cell)?;
+        let ground = self.terrain.height(draw.anchor, placed.root);
+        let root = Vec3::new(draw.offset[0] + placed.root[0], ground, draw.offset[1] + placed.root[1]);
+        let away = root.distance(Vec3::new(prepare.camera[0], prepare.camera[1], prepare.camera[2]));
+        // Farther off fewer plants stand for more: each grows wider, and the last ones shrink before they go.
+        let thin = (prepare.full / away.max(1e-3)).powf(THINNING).min(1.0) * prepare.fullness;
+        let place = (rank as f32 + 0.5) / (1_u32 << (2 * prepare.bits)) as f32;
+        let stay = ((thin - place) / (0.12 * thin)).clamp(0.0, 1.0);
+        if stay <= 0.0 || away >= prepare.gone {
+            return None;
+        }
+        let height = placed.height * (0.35 + (1.0 - 0.35) * stay);
+        let straight = if prepare.plain > 0.0 { math::smoothstep(0.75 * prepare.plain, 0.97 * prepare.plain, away) } else { 0.0 };
+        self.spine(draw, phases, placed.root, [ground, height, straight], joints);
+        let chance = (placed.tint * 61.7).fract();
+        Some(Plant {
+            root: root.to_array(),
+            height,
+            yaw: placed.yaw,
+            width: prepare.width * (0.8 + 0.4 * (placed.tint * 17.3).fract()) * (1.0 / thin.sqrt()).min(2.2) * (0.5 + 0.5 * stay),
+            tint: placed.tint,
+            layer: prepare.layer + ((chance * VARIANTS as f32) as u32).min(VARIANTS - 1),
+        })
+    }
+
+    /// Joints of a plant that stands at `root` (x, z) of its patch on `ground`, bent segment by segment.
+    fn spine(&self, draw: &PatchDraw, phases: &Phases, root: [f32; 2], [ground, height, straight]: [f32; 3], joints: &mut [[f32; 4]]) {
+        let prepare = &self.uniform;
+        let rest = self.rest_at_plant(phases, root);
+        let floor = |at: Vec3| self.terrain.height(draw.anchor, [at.x, at.z]) + CLEARANCE;
+        let (segments, drawn) = (prepare.segments as usize, prepare.drawn as usize);
+        let length = height / prepare.segments as f32;
+        let start = Vec3::new(root[0], ground, root[1]);
+        let mut spine = [start; 9];
+        let mut local = start;
+        // Where no upper segments are kept, all show what the lowest does.
+        let gains = if draw.lags[4] == NONE { [0.0, 0.0, 1.0, 1.0] } else { prepare.lag };
+        let mut below = self.plant_bend(draw, root, 0, rest);
+        let mut shown = self.plant_bend(draw, root, SHOWN, rest);
+        for at in 0..segments.min(8) {
+            if at > 0 {
+                let here = self.plant_bend(draw, root, at, rest);
+                let moved = prepare.behind > 0.0;
+                shown = if moved { earlier(here.into(), [below.into(), shown.into()], gains, prepare.behind).into() } else { here };
+                below = here;
+            }
+            local += Vec3::from(segment(shown.into(), length));
+            local.y = math::upper(local.y, floor(local));
+            spine[at + 1] = local;
+        }
+        let shift = Vec3::new(draw.offset[0], 0.0, draw.offset[1]);
+        for (k, joint) in joints.iter_mut().enumerate() {
+            let mut at = start.lerp(local, k as f32 / drawn as f32);
+            if drawn == segments {
+                at = spine[k].lerp(at, straight);
+            }
+            if k > 0 {
+                at.y = math::upper(at.y, floor(at));
+            }
+            *joint = (at + shift).extend(0.0).to_array();
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! A world's state as bytes: saved, loaded, and continued as if it had never stopped.
+//!
+//! `SWARDSTATE`, format version (u32), checksum of the rest (u64), then the state in postcard's encoding; little-endian throughout.
+//! Ground and free places are worked out again. On the CPU continuing gives the same bits; a GPU continues from the same bits.
+
+use serde::{Deserialize, Serialize};
+
+use crate::response::continuum;
+use crate::state::{Awake, BodyState, Counters, NONE, PatchKey, State, Summary};
+use crate::world::World;
+
+/// What [`World::save`] writes and [`World::restore`] reads.
+pub const VERSION: u32 = 1;
+const MAGIC: &[u8; 10] = b"SWARDSTATE";
+const HEADER: usize = MAGIC.len() + 4 + 8;
+
+/// Why a saved state cannot be continued.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SavedError {
+    /// The bytes are something else.
+    #[error("this is not a saved state: it does not begin with SWARDSTATE")]
+    NotOne,
+    /// Of another version of the format.
+    #[error("this state has format version {0}, expected {VERSION}: save it again with this sward")]
+    Version(u32),
+    /// Cut off or changed.
+    #[error("this saved state is damaged: {0}")]
+    Damaged(&'static str),
+    /// Of another scene.
+    #[error("this state was saved from another scene: {what} {found} in it, {expected} in the scene")]
+    OtherScene {
+        /// What differs.
+        what: &'static str,
+        /// In the saved state.
+        found: u64,
+        /// In the scene.
+        expected: u64,
+    },
+}
+
+#[derive(Serialize, Deserialize)]
+struct Saved {
+    step: u64,
+    bodies: Vec<BodyState>,
+    focuses: Vec<[f64; 2]>,
+    pinned: Vec<[f64; 2]>,
+    pending_seconds: f64,
+    dropped_steps: u64,
+    stands: Vec<SavedStand>,
+}
+
+/// Planes are those of awake patches, in key order.
+#[derive(Serialize, Deserialize)]
+struct SavedStand {
+    cells: u32,
+    segments: u32,
+    awake: Vec<(PatchKey, Awake)>,
+    summaries: Vec<(u64, Vec<(PatchKey, Summary)>)>,
+    counters: Counters,
+    now: Vec<f32>,
+    old: Vec<f32>,
+    upper: Vec<f32>,
+    history: Vec<f32>,
+}
+
+/// FNV-1a.
+fn checksum(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+impl World {
+    /// The state as bytes. Where a GPU steps, download its cells first.
+    pub fn save(&self) -> Vec<u8> {
+        let state = &self.state;
+        let stands = state.stands.iter().zip(&self.model.stands).map(|(stand, model)| {
+            let planes = |slots: &[Box<[f32]>], pick: fn(&Awake) -> u32| -> Vec<f32> {
+                let used = stand.awake.values().map(pick).filter(|slot| *slot != NONE);
+                used.filter_map(|slot| slots.get(slot as usize)).flat_map(|values| values.iter().copied()).collect()
+            };
+            SavedStand {
+                cells: model.cells,
+                segments: model.lag.segments,
+                awake: stand.awake.iter().map(|(patch, awake)| (*patch, *awake)).collect(),
+                summaries: stand.summaries.iter().cloned().collect(),
+                counters: stand.counters,
+                now: planes(&stand.cells.now, |awake| awake.slot),
+                old: planes(&stand.cells.old, |awake| awake.slot),
+                upper: planes(&stand.cells.lag, |awake| awake.lag),
+                history: planes(&stand.cells.history, |awake| awake.lag),
+            }
+        });
+        let saved = Saved {
+            step: state.step,
+            bodies: state.bodies.clone(),
+            focuses: state.focuses.clone(),
+            pinned: state.pinned.clone(),
+            pending_seconds: state.pending_seconds,
+            dropped_steps: state.dropped_steps,
+            stands: stands.collect(),
+        };
+        // Encoding plain data into memory cannot fail.
+        let payload = postcard::to_stdvec(&saved).unwrap_or_default();
+        let mut bytes = Vec::with_capacity(HEADER + payload.len());
+        bytes.extend_from_slice(MAGIC);
+        bytes.extend_from_slice(&VERSION.to_le_bytes());
+        bytes.extend_from_slice(&checksum(&payload).to_le_bytes());
+        bytes.extend_from_slice(&payload);
+        bytes
+    }
+
+    /// Goes on from a saved state of the same scene; on an error the world is as it was.
+    ///
+    /// # Errors
+    /// Something else than a saved state, another version, damage, or another scene.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SavedError> {
+        let rest = bytes.strip_prefix(MAGIC).ok_or(SavedError::NotOne)?;
+        let (version, rest) = rest.split_first_chunk::<4>().ok_or(SavedError::Damaged("it ends too soon"))?;
+        let version = u32::from_le_bytes(*version);
+        if version != VERSION {
+            return Err(SavedError::Version(version));
+        }
+        let (sum, payload) = rest.split_first_chunk::<8>().ok_or(SavedError::Damaged("it ends too soon"))?;
+        if u64::from_le_bytes(*sum) != checksum(payload) {
+            return Err(SavedError::Damaged("its checksum is another"));
+        }
+        self.restore_payload(payload)
+    }
+
+    /// [`World::restore`] without header and checksum: for tests that feed it damage.
+    #[doc(hidden)]
+    pub fn restore_payload(&mut self, payload: &[u8]) -> Result<(), SavedError> {
+        let saved: Saved = postcard::from_bytes(payload).map_err(|_| SavedError::Damaged("it cannot be decoded"))?;
+        self.same_scene(&saved)?;
+        let mut state = State {
+            step: saved.step,
+            bodies: saved.bodies,
+            focuses: saved.focuses,
+            pinned: saved.pinned,
+            pending_seconds: saved.pending_seconds,
+            dropped_steps: saved.dropped_steps,
+            stands: Vec::new(),
+        };
+        if !state_is_sound(&state) {
+            return Err(SavedError::Damaged("a number in it is out of bounds"));
+        }
+        for (index, stand) in saved.stands.into_iter().enumerate() {
+            let restored = self.restore_stand(index, stand, saved.step)?;
+            state.stands.push(restored);
+        }
+        self.state = state;
+        Ok(())
+    }
+
+    fn same_scene(&self, saved: &Saved) -> Result<(), SavedError> {
+        let mut counts = vec![
+            ("interactors", saved.bodies.len() as u64, self.state.bodies.len() as u64),
+            ("stands", saved.stands.len() as u64, self.model.stands.len() as u64),
+        ];
+        for (stand, model) in saved.stands.iter().zip(&self.model.stands) {
+            counts.push(("cells a patch side", stand.cells.into(), model.cells.into()));
+            counts.push(("segments", stand.segments.into(), model.lag.segments.into()));
+        }
+        match counts.into_iter().find(|(_, found, expected)| found != expected) {
+            Some((what, found, expected)) => Err(SavedError::OtherScene { what, found, expected }),
+            None => Ok(()),
+        }
+    }
+
+    fn restore_stand(&self, index: usize, saved: SavedStand, step: u64) -> Result<crate::state::StandState, SavedError> {
+        let model = &self.model.stands[index];
+        let mut stand = self.empty_stand(model);
+        let area = (model.cells * model.cells) as usize;
+        let [upper, ring] = continuum::lag_planes(&model.lag).map(|planes| planes * area);
+        let mut planes = [&saved.now, &saved.old, &saved.upper, &saved.history].map(|values| values.iter().copied());
+        let [now, old, uppers, past] = &mut planes;
+        let counters = saved.counters;
+        let counts = [counters.woken, counters.slept, counters.released, counters.denied, counters.clamped, counters.patch_steps];
+        if counts.iter().any(|count| *count >= 1 << 62) {
+            return Err(SavedError::Damaged("a number in it is out of bounds"));
+        }
+        for (patch, mut awake) in saved.awake {
+            awake.rest = awake.rest.min(1 << 30);
+            let taken = stand.free.remove(&awake.slot) && (awake.lag == NONE || stand.lag_free.remove(&awake.lag));
+            if !taken || stand.awake.insert(patch, awake).is_some() {
+                return Err(SavedError::Damaged("two patches share one place"));
+            }
+            fill(&mut stand.cells.now, awake.slot, 4 * area, now)?;
+            fill(&mut stand.cells.old, awake.slot, 4 * area, old)?;
+            let ground = &mut stand.cells.ground;
+            ground.resize(ground.len().max(awake.slot as usize + 1), Default::default());
+            ground[awake.slot as usize] = continuum::ground_of(&self.model.terrain, model, patch);
+            if awake.lag != NONE {
+                fill(&mut stand.cells.lag, awake.lag, upper, uppers)?;
+                fill(&mut stand.cells.history, awake.lag, ring, past)?;
+            }
+        }
+        if planes.iter().any(|values| values.len() > 0) {
+            return Err(SavedError::Damaged("it holds more cells than patches"));
+        }
+        if !saved.summaries.iter().all(|(of, _)| *of < step || (*of == 0 && step == 0)) {
+            return Err(SavedError::Damaged("it knows the future"));
+        }
+        (stand.summaries, stand.counters) = (saved.summaries.into(), counters);
+        Ok(stand)
+    }
+}
+
+/// Puts the next values into a slot; slots below it that nobody uses are zero.
+fn fill(slots: &mut Vec<Box<[f32]>>, slot: u32, length: usize, values: &mut impl ExactSizeIterator<Item = f32>) -> Result<(), SavedError> {
+    if values.len() < length {
+        return Err(SavedError::Damaged("cells are missing"));
+    }
+    let slot = slot as usize;
+    while slots.len() <= slot {
+        slots.push(vec![0.0; length].into_boxed_slice());
+    }
+    let mut finite = true;
+    for (place, value) in slots[slot].iter_mut().zip(values) {
+        finite &= value.is_finite();
+        *place = value;
+    }
+    if finite { Ok(()) } else { Err(SavedError::Damaged("a cell is not a number")) }
+}
+
+fn state_is_sound(state: &State) -> bool {
+    let near = |value: &f64| (-1e9..=1e9).contains(value);
+    let poses = state.bodies.iter().flat_map(|body| [body.pose, body.before]).flatten();
+    let mut numbers: Vec<f64> =
+        poses.flat_map(|pose| [pose.ground[0], pose.ground[1], pose.yaw, pose.height, pose.slope[0], pose.slope[1]]).collect();
+    numbers.extend(state.bodies.iter().filter_map(|body| body.driven).flat_map(|(at, yaw, clearance)| [at[0], at[1], yaw, clearance]));
+    numbers.extend(state.bodies.iter().flat_map(|body| body.clock));
+    numbers.extend(state.focuses.iter().chain(&state.pinned).flatten());
+    numbers.push(state.pending_seconds);
+    // A step number below 2⁵³ is exact as a time.
+    numbers.iter().all(near) && state.pending_seconds >= 0.0 && state.step < 1 << 53
+}

@@ -1,0 +1,71 @@
+//! What draws the picture: a graphics adapter, or the CPU.
+
+use sward::picture::Picture;
+use sward::world::World;
+use sward_wgpu::gpu::{Gpu, GpuError};
+
+use crate::arguments::{Draw, Where};
+use crate::backend::Backend;
+use crate::console::Console;
+use crate::failure::Failure;
+
+/// What draws.
+pub(crate) enum Artist<'a> {
+    /// This machine's processor.
+    Cpu(Box<sward_raster::Studio>),
+    /// A graphics adapter.
+    Gpu(&'a Gpu, Box<sward_wgpu::studio::Studio>),
+}
+
+/// The adapter, where one is needed, or there is one and it may be used. That there is none is said once.
+pub(crate) fn adapter(draw: Draw, on: Where, console: &Console) -> Result<Option<Gpu>, Failure> {
+    if draw == Draw::Gpu || on == Where::Gpu {
+        return Ok(Some(Gpu::new()?));
+    }
+    if draw == Draw::Cpu {
+        return Ok(None);
+    }
+    let why = match Gpu::new() {
+        Ok(gpu) => return Ok(Some(gpu)),
+        Err(GpuError::NoAdapter) => "no graphics adapter found".to_owned(),
+        Err(error @ GpuError::NoDevice { .. }) => error.to_string(),
+        Err(error) => return Err(error.into()),
+    };
+    console.note(&format!("{why}; the picture is drawn on the CPU"));
+    Ok(None)
+}
+
+impl<'a> Artist<'a> {
+    /// The adapter if there is one and the CPU was not asked for. Fails for pictures it cannot draw.
+    pub(crate) fn choose(draw: Draw, gpu: Option<&'a Gpu>, world: &World, size: [u32; 2]) -> Result<Self, Failure> {
+        let Some(gpu) = gpu.filter(|_| draw != Draw::Cpu) else {
+            return Ok(Self::Cpu(Box::new(sward_raster::Studio::new(world))));
+        };
+        let largest = gpu.device.limits().max_texture_dimension_2d;
+        if size.iter().any(|side| *side > largest) {
+            let adapter = &gpu.adapter_info.name;
+            let help = format!("type a --size of at most {largest}x{largest}, or --draw cpu");
+            return Err(Failure::input(format!("{}x{} is too large for {adapter}", size[0], size[1]), help));
+        }
+        Ok(Self::Gpu(gpu, Box::new(sward_wgpu::studio::Studio::new(gpu, world)?)))
+    }
+
+    /// Draws the moment `behind` steps before the world's state.
+    pub(crate) fn draw(&mut self, world: &mut World, backend: &mut Backend<'_>, behind: f64, size: [u32; 2]) -> Result<Picture, Failure> {
+        match self {
+            Self::Cpu(studio) => {
+                backend.fetch(world)?;
+                Ok(studio.draw_before(world, behind, size))
+            }
+            Self::Gpu(gpu, studio) => Ok(studio.draw_before(gpu, world, backend.cells(), behind, size)?),
+        }
+    }
+
+    /// What to call it.
+    pub(crate) fn name(&self) -> &str {
+        match self {
+            Self::Cpu(_) => "the CPU",
+            Self::Gpu(gpu, _) => &gpu.adapter_info.name,
+        }
+    }
+}

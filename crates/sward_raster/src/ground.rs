@@ -1,0 +1,105 @@
+//! Terrain: a grid of rings displaced by the height field, coloured as turf and distant canopy. Twin of `ground.wgsl` of `sward_wgpu`.
+
+use glam::{Vec2, Vec3, Vec4};
+use sward::geometry::relief::{Relief, ReliefFrame, detail, height};
+use sward::geometry::rings::{self, Grid};
+use sward::picture::frame::FrameInput;
+use sward::shading::ground::ground;
+use sward::shading::look::Turf;
+
+use crate::bins::{Bins, Rect};
+use crate::each::each;
+use crate::shadows;
+use crate::sight::{Sight, mix};
+use crate::tile::{self, Quad, Shaded, Tile};
+use crate::triangle::{clipped, to_pixels};
+
+/// Vertices at once.
+const CHUNK: usize = 1024;
+
+/// A corner of the grid.
+#[derive(Clone, Copy)]
+struct Point {
+    clip: Vec4,
+    place: Vec3,
+    normal: Vec3,
+}
+
+/// The grid of one picture.
+pub(crate) struct Ground {
+    points: Vec<Point>,
+    triangles: Vec<[u32; 3]>,
+    bins: Bins,
+}
+
+/// The corner `p` of the grid, `spacing` m from the next.
+fn point(sight: &Sight<'_>, relief: &Relief, frame: &ReliefFrame, p: Vec2, spacing: f32) -> Point {
+    let load = |index: i32| relief.heights.get(index as usize).copied().unwrap_or(0.0);
+    let at = |x: f32, z: f32| {
+        let p = [p.x + x, p.y + z];
+        height(frame, p, load) + detail(frame, [sight.eye.x, sight.eye.z], p)
+    };
+    let reach = (0.5 * spacing).max(0.4);
+    let slope = Vec2::new(at(reach, 0.0) - at(-reach, 0.0), at(0.0, reach) - at(0.0, -reach)) / (2.0 * reach);
+    let place = Vec3::new(p.x, at(0.0, 0.0), p.y);
+    Point { clip: sight.clip(place), place, normal: Vec3::new(-slope.x, 1.0, -slope.y).normalize() }
+}
+
+impl Ground {
+    /// Lays the grid out under the camera and sorts it into `columns × rows` tiles.
+    pub(crate) fn new(sight: &Sight<'_>, relief: &Relief, input: &FrameInput<'_>, [columns, rows]: [usize; 2]) -> Self {
+        let phase = input.origin.map(|metres| metres.rem_euclid(1024.0) as f32);
+        let Grid { vertices, indices } = rings::build([input.view.position.x, input.view.position.z], phase);
+        let frame = relief.frame(input.origin);
+        let chunks = vertices.chunks(CHUNK).collect();
+        let points = each(chunks, |chunk: &[[f32; 3]]| {
+            chunk.iter().map(|[x, z, spacing]| point(sight, relief, &frame, Vec2::new(*x, *z), *spacing)).collect::<Vec<_>>()
+        });
+        let points: Vec<Point> = points.into_iter().flatten().collect();
+        let triangles: Vec<[u32; 3]> = indices.chunks_exact(3).map(|three| [three[0], three[1], three[2]]).collect();
+        let rects: Vec<Option<Rect>> = triangles.iter().map(|three| rect(three.map(|at| points[at as usize].clip), sight)).collect();
+        Self { bins: Bins::new(&rects, columns, rows), points, triangles }
+    }
+
+    /// Draws what lies in a tile.
+    pub(crate) fn draw(&self, sight: &Sight<'_>, turf: &Turf, tile: &mut Tile, index: usize) {
+        for triangle in self.bins.of(index) {
+            let corners = self.triangles[*triangle as usize].map(|at| self.points[at as usize]);
+            let (places, normals) = (corners.map(|corner| corner.place), corners.map(|corner| corner.normal));
+            clipped(corners.map(|corner| corner.clip), sight.pixels(), |triangle| {
+                tile.draw(triangle, |quad| shade(sight, turf, quad, &places, &normals));
+            });
+        }
+    }
+}
+
+/// Tiles a triangle may touch: all of them where it passes the near plane.
+pub(crate) fn rect(clip: [Vec4; 3], sight: &Sight<'_>) -> Option<Rect> {
+    let size = sight.pixels();
+    let near = sward::picture::frame::NEAR;
+    if clip.iter().all(|corner| corner.w < near) {
+        return None;
+    }
+    if clip.iter().any(|corner| corner.w < near) {
+        return Rect::under([0.0; 2], size.to_array(), sight.size, tile::SIDE);
+    }
+    let points = clip.map(|corner| to_pixels(corner, size).truncate());
+    let low = points[0].min(points[1]).min(points[2]) - 1.0;
+    let high = points[0].max(points[1]).max(points[2]) + 1.0;
+    Rect::under(low.to_array(), high.to_array(), sight.size, tile::SIDE)
+}
+
+fn shade(sight: &Sight<'_>, turf: &Turf, quad: &Quad, places: &[Vec3; 3], normals: &[Vec3; 3]) -> Shaded {
+    let mut shaded = Shaded { samples: quad.visible, ..Shaded::default() };
+    for lane in (0..4).filter(|lane| quad.lane(*lane)) {
+        let place = mix(quad.weights[lane], places);
+        let to_eye = sight.eye - place;
+        let distance = to_eye.length();
+        let view = to_eye / distance.max(1e-3);
+        let normal = mix(quad.weights[lane], normals).normalize_or(Vec3::Y);
+        let lit = sight.shadows.soft(shadows::place(&sight.frame, place, 0.06), 1.6);
+        let colour = ground(turf, sight.pattern(place), normal, view, distance, sight.frame.right.w, &sight.light, lit);
+        shaded.colours[lane] = sight.air(-view).lerp(colour, sight.clear(distance));
+    }
+    shaded
+}

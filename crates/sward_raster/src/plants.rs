@@ -1,0 +1,214 @@
+//! Plants: crossed cards bent along their joints. Twin of `plants.wgsl`, and of both vertex shaders, of `sward_wgpu`.
+//!
+//! Only plants and joints are stored; cards are built again in each tile a plant touches, so memory does not grow with their triangles.
+
+use glam::{Vec2, Vec3, Vec4};
+use sward::geometry::card::{CardRung, rung};
+use sward::math::smoothstep;
+use sward::picture::frame::{FrameUniform, NEAR, SHADOW_SIDE};
+use sward::picture::plants::{MOST_CARDS, MOST_SEGMENTS, PLANTS_PER_INSTANCE, Plant};
+use sward::shading::common::patchwork;
+use sward::shading::look::{Look, Style};
+
+use crate::bins::{Bins, Rect};
+use crate::clumps::Clumps;
+use crate::each::each;
+use crate::leaves::{self, Leaf, LeafOf};
+use crate::shadows::{self, Cutout, ShadowTile, TILE, TILES};
+use crate::sight::Sight;
+use crate::tile::{self, Tile};
+use crate::triangle::clipped;
+
+/// Plants looked at together while they are sorted into tiles.
+const CHUNK: usize = 4096;
+/// Most joints of a card.
+const MOST_JOINTS: usize = MOST_SEGMENTS as usize + 1;
+
+/// Plants of one look and one number of segments, solved.
+pub(crate) struct Batch {
+    pub(crate) plants: Vec<Plant>,
+    /// `segments + 1` of each plant.
+    pub(crate) joints: Vec<[f32; 4]>,
+    pub(crate) style: Style,
+}
+
+/// Left and right half of a card show the same picture turned around for half of the plants.
+fn flip(plant: &Plant) -> f32 {
+    if (plant.tint * 64.0).fract() < 0.5 { -1.0 } else { 1.0 }
+}
+
+fn joint(values: &[[f32; 4]], at: usize) -> Vec3 {
+    values.get(at).map_or(Vec3::ZERO, |joint| Vec3::new(joint[0], joint[1], joint[2]))
+}
+
+impl Batch {
+    pub(crate) fn new(plants: Vec<Plant>, joints: Vec<[f32; 4]>, look: &Look, segments: u32, cards: u32) -> Self {
+        let style = Style::new(look, segments.clamp(1, MOST_SEGMENTS), cards.clamp(1, MOST_CARDS), PLANTS_PER_INSTANCE);
+        Self { plants, joints, style }
+    }
+
+    fn segments(&self) -> usize {
+        self.style.shape[0] as usize
+    }
+
+    fn cards(&self) -> usize {
+        self.style.shape[1] as usize
+    }
+
+    fn joints_of(&self, index: usize) -> &[[f32; 4]] {
+        let count = self.segments() + 1;
+        self.joints.get(index * count..(index + 1) * count).unwrap_or(&[])
+    }
+
+    /// How much of its size a plant keeps where plants end; `None` for one that is not drawn.
+    fn keep(&self, sight: &Sight<'_>, plant: &Plant) -> Option<f32> {
+        let [_, _, near, end] = self.style.mean;
+        let distance = Vec3::from(plant.root).distance(sight.eye);
+        // Plants end at slightly different distances, so that no front is seen.
+        let gone = smoothstep(near, end, distance + (plant.tint - 0.5) * 0.3 * (end - near));
+        (plant.height > 0.0 && gone < 1.0).then_some(1.0 - 0.85 * gone)
+    }
+
+    /// The rungs of a card.
+    fn card(&self, plant: &Plant, joints: &[[f32; 4]], card: usize, keep: f32) -> [CardRung; MOST_JOINTS] {
+        let turn = plant.yaw + card as f32 * std::f32::consts::PI / self.cards() as f32;
+        let mut rungs = [CardRung::default(); MOST_JOINTS];
+        for (at, slot) in rungs.iter_mut().enumerate().take(self.segments() + 1) {
+            let [low, high] = [at.saturating_sub(1), (at + 1).min(self.segments())];
+            let around = [0, at, low, high].map(|at| joint(joints, at));
+            *slot = rung(around, turn, plant.width, (card + 1) as f32 * at as f32, keep);
+        }
+        rungs
+    }
+
+    /// Farthest that a card's corner may be from its joint, m.
+    fn reach(&self, plant: &Plant) -> f32 {
+        0.5 * 1.35 * plant.width + 0.018 * (self.cards() * self.segments()) as f32
+    }
+
+    /// By tile of the picture.
+    pub(crate) fn bins(&self, sight: &Sight<'_>, [columns, rows]: [usize; 2]) -> Bins {
+        let scale = [0, 1].map(|row| sight.frame.view_projection.row(row).truncate().length());
+        Bins::new(&self.rects(|index, plant| self.seen(sight, index, plant, scale)), columns, rows)
+    }
+
+    /// By tile of the shadow map.
+    pub(crate) fn shadow_bins(&self, frame: &FrameUniform) -> Bins {
+        let side = SHADOW_SIDE as f32;
+        let scale = [0, 1].map(|row| frame.shadow.row(row).truncate().length() * side);
+        let rect = |index: usize, plant: &Plant| {
+            let centre = shadows::place(frame, plant.root.into(), 0.0);
+            if plant.height <= 0.0 || (centre.x - 0.5).abs().max((centre.y - 0.5).abs()) > 0.52 {
+                return None;
+            }
+            let reach = Vec2::from(scale) * self.reach(plant) + 1.0;
+            let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+            for at in 0..=self.segments() {
+                let place = shadows::place(frame, joint(self.joints_of(index), at), 0.0).truncate() * side;
+                (low, high) = (low.min(place), high.max(place));
+            }
+            Rect::under((low - reach).to_array(), (high + reach).to_array(), [SHADOW_SIDE; 2], TILE as u32)
+        };
+        Bins::new(&self.rects(rect), TILES, TILES)
+    }
+
+    fn rects(&self, rect: impl Fn(usize, &Plant) -> Option<Rect> + Sync + Send) -> Vec<Option<Rect>> {
+        let chunks = self.plants.chunks(CHUNK).enumerate().collect();
+        let rects = each(chunks, |(chunk, plants): (usize, &[Plant])| {
+            plants.iter().enumerate().map(|(index, plant)| rect(chunk * CHUNK + index, plant)).collect::<Vec<_>>()
+        });
+        rects.into_iter().flatten().collect()
+    }
+
+    /// Tiles a plant may touch, on the safe side; `scale`: how far a metre at distance 1 reaches over the picture's halves.
+    fn seen(&self, sight: &Sight<'_>, index: usize, plant: &Plant, scale: [f32; 2]) -> Option<Rect> {
+        self.keep(sight, plant)?;
+        let (reach, size) = (self.reach(plant), sight.pixels());
+        let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let (mut behind, joints) = (0, self.joints_of(index));
+        for at in 0..=self.segments() {
+            let clip = sight.clip(joint(joints, at));
+            if clip.w - reach < NEAR {
+                behind += usize::from(clip.w + reach < NEAR);
+                (low, high) = (Vec2::NEG_INFINITY, Vec2::INFINITY);
+                continue;
+            }
+            let middle = Vec2::new(clip.x, clip.y) / clip.w;
+            let around = reach * (Vec2::from(scale) + middle.abs()) / (clip.w - reach);
+            (low, high) = (low.min(middle - around), high.max(middle + around));
+        }
+        if behind > self.segments() {
+            return None;
+        }
+        let corner = |ndc: Vec2| Vec2::new((0.5 + 0.5 * ndc.x) * size.x, (0.5 - 0.5 * ndc.y) * size.y);
+        let (a, b) = (corner(low), corner(high));
+        Rect::under([a.x - 1.0, b.y - 1.0], [b.x + 1.0, a.y + 1.0], sight.size, tile::SIDE)
+    }
+
+    /// Draws into a tile of the shadow map.
+    pub(crate) fn draw_shadow(&self, frame: &FrameUniform, clumps: &Clumps, tile: &mut ShadowTile, which: &[u32]) {
+        let side = SHADOW_SIDE as f32;
+        for &index in which {
+            let plant = &self.plants[index as usize];
+            let (clump, joints, flip) = (clumps.layer(plant.layer), self.joints_of(index as usize), flip(plant));
+            for card in 0..self.cards() {
+                let rungs = self.card(plant, joints, card, 1.0);
+                let (mut points, mut uv) = ([Vec3::ZERO; 2 * MOST_JOINTS], [Vec2::ZERO; 2 * MOST_JOINTS]);
+                for corner in 0..2 * (self.segments() + 1) {
+                    let left_right = (corner % 2) as f32 * 2.0 - 1.0;
+                    points[corner] = shadows::place(frame, rungs[corner / 2].corner(left_right), 0.0) * Vec3::new(side, side, 1.0);
+                    uv[corner] = Vec2::new(0.5 + 0.5 * left_right * flip, 1.0 - (corner / 2) as f32 / self.segments() as f32);
+                }
+                for three in triangles(self.segments()) {
+                    tile.draw(three.map(|corner| points[corner]), Some(&Cutout { clump, at: three.map(|corner| uv[corner]) }));
+                }
+            }
+        }
+    }
+
+    /// Draws into a tile of the picture.
+    pub(crate) fn draw(&self, sight: &Sight<'_>, clumps: &Clumps, tile: &mut Tile, which: &[u32]) {
+        for &index in which {
+            let plant = &self.plants[index as usize];
+            if let Some(keep) = self.keep(sight, plant) {
+                let pattern = patchwork(sight.pattern(plant.root.into()));
+                let of = LeafOf { style: &self.style, clump: clumps.layer(plant.layer), patchwork: pattern, tint: plant.tint };
+                for card in 0..self.cards() {
+                    let rungs = self.card(plant, self.joints_of(index as usize), card, keep);
+                    self.draw_card(sight, tile, &of, &rungs, flip(plant));
+                }
+            }
+        }
+    }
+
+    fn draw_card(&self, sight: &Sight<'_>, tile: &mut Tile, of: &LeafOf<'_>, rungs: &[CardRung; MOST_JOINTS], flip: f32) {
+        let mut leaves = [Leaf::default(); 2 * MOST_JOINTS];
+        let mut clips = [Vec4::ZERO; 2 * MOST_JOINTS];
+        for corner in 0..2 * (self.segments() + 1) {
+            let (rung, side) = (&rungs[corner / 2], (corner % 2) as f32 * 2.0 - 1.0);
+            let place = rung.corner(side);
+            clips[corner] = sight.clip(place);
+            let along = (corner / 2) as f32 / self.segments() as f32;
+            leaves[corner] = Leaf {
+                place,
+                across: rung.across,
+                facing: rung.facing,
+                card: Vec3::new(0.5 + 0.5 * side * flip, along, rung.lying),
+                air: None,
+            };
+        }
+        for three in triangles(self.segments()) {
+            clipped(three.map(|corner| clips[corner]), sight.pixels(), |triangle| {
+                tile.draw(triangle, |quad| leaves::shade(sight, of, quad, &mut leaves, three));
+            });
+        }
+    }
+}
+
+/// Two triangles per segment of a card; corner 2 k + s stands at joint k, on the left (0) or right (1).
+fn triangles(segments: usize) -> impl Iterator<Item = [usize; 3]> {
+    (0..segments).flat_map(|segment| {
+        let at = 2 * segment;
+        [[at, at + 1, at + 2], [at + 2, at + 1, at + 3]]
+    })
+}

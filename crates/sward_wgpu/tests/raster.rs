@@ -1,0 +1,19 @@
+//! Pictures drawn on the CPU by `sward_raster` against the GPU's.
+
+#[path = "support/adapter.rs"]
+mod adapter;
+#[path = "support/rastered.rs"]
+mod rastered;
+
+fn main() -> std::process::ExitCode {
+    let tests: &[adapter::Test] = &[
+        ("hello", rastered::hello),
+        ("lawn", rastered::lawn),
+        ("reed", rastered::reed),
+        ("crossing", rastered::crossing),
+        ("detail", rastered::detail),
+        ("paper", rastered::paper),
+        ("endless", rastered::endless),
+    ];
+    adapter::run(tests, |_, _| None)
+}

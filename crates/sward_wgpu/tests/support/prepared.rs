@@ -1,0 +1,92 @@
+//! Plants and joints solved on the GPU and on the CPU.
+
+use libtest_mimic::Failed;
+use sward::picture::plan::{self, Seen};
+use sward::picture::plants::Plant;
+use sward::picture::prepare::{PrepareUniform, Preparing};
+use sward::picture::subject::{self, Frame};
+use sward::response::continuum::NODE_CELLS;
+use sward::scene::Scene;
+use sward::world::World;
+use sward_wgpu::compare::Tolerance;
+use sward_wgpu::compute::readback;
+use sward_wgpu::gpu::Gpu;
+use sward_wgpu::studio::{CellsAt, Studio};
+
+use crate::adapter::{Verdict, ensure};
+use crate::kernels::judge;
+
+/// Both batches of a world's first stand as the CPU solves them: numbers of plants, then of joints.
+fn on_cpu(world: &World, behind: f64) -> [Vec<f32>; 2] {
+    let (view, looks) = (world.camera_before(behind), subject::looks(world));
+    let (_, origin) = Frame::of(world, &view, behind);
+    let seen = Seen { view: &view, origin, fullness: 1.0, behind };
+    let (stand, state) = (&world.model.stands[0], &world.state.stands[0]);
+    let (plans, fullness) = plan::plan(world, 0, &seen, &looks[0], world.scene.budget.visible_plants);
+    let seen = Seen { fullness, ..seen };
+    let wind = world.wind_before(stand, behind);
+    let (mut plants, mut joints) = (Vec::new(), Vec::new());
+    for (plan, plain) in plans.iter().zip([false, true]) {
+        let uniform = PrepareUniform::new(world, stand, plain, &seen, &looks[0]);
+        let intervals = stand.cells / NODE_CELLS;
+        let preparing = Preparing { uniform, cells: &state.cells, terrain: &world.model.terrain, wind: &wind, intervals };
+        for draw in &plan.draws {
+            let mut solved = vec![Plant::default(); draw.count as usize];
+            let mut spines = vec![[0.0; 4]; solved.len() * (uniform.drawn as usize + 1)];
+            preparing.prepare_patch(draw, &mut solved, &mut spines);
+            gather(&solved, &spines, &mut plants, &mut joints);
+        }
+    }
+    [plants, joints]
+}
+
+/// Joints of places without a plant mean nothing.
+fn gather(solved: &[Plant], spines: &[[f32; 4]], plants: &mut Vec<f32>, joints: &mut Vec<f32>) {
+    let count = spines.len() / solved.len().max(1);
+    for (plant, spine) in solved.iter().zip(spines.chunks_exact(count.max(1))) {
+        let there = if plant.height > 0.0 { 1.0 } else { 0.0 };
+        plants.extend(plant.root);
+        plants.extend([plant.height, plant.yaw, plant.width, plant.tint, plant.layer as f32]);
+        joints.extend(spine.iter().flat_map(|joint| [joint[0], joint[1], joint[2]]).map(|value| value * there));
+    }
+}
+
+/// The same as the GPU solves them.
+fn on_gpu(gpu: &Gpu, world: &World, behind: f64) -> Result<[Vec<f32>; 2], Failed> {
+    let mut studio = Studio::new(gpu, world)?;
+    studio.draw_before(gpu, world, CellsAt::Cpu, behind, [32, 18])?;
+    let (mut plants, mut joints) = (Vec::new(), Vec::new());
+    for batch in studio.batches(0).into_iter().flatten().filter(|batch| batch.plants > 0) {
+        let Some((stored, stored_joints)) = &batch.filled else { continue };
+        let solved: Vec<Plant> = readback::read(gpu, stored, u64::from(batch.plants) * 32)?;
+        let bytes = u64::from(batch.plants) * 16 * (u64::from(batch.segments) + 1);
+        let spines: Vec<[f32; 4]> = readback::read(gpu, stored_joints, bytes)?;
+        gather(&solved, &spines, &mut plants, &mut joints);
+    }
+    Ok([plants, joints])
+}
+
+/// Bodies, gusts, patches with upper segments and without, sleeping ones; near and plain plants.
+pub(crate) fn plants_solved(gpu: &Gpu) -> Verdict {
+    let text = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32)], wind: [Natural(velocity: (4.0, 2.0))],
+        budget: (patches: 25, focus_distance: 10.0, lag_distance: 6.0), camera: (eye: (0, 2, -4), target: (0, 0, 6)),
+        interactors: [(shape: Sphere(radius: 0.6), path: Circle(radius: 3.0, speed: 4.0))])";
+    let mut world = World::new(Scene::parse(text, "prepare.ron")?, &sward::model::NoAssets)?;
+    (0..40).for_each(|_| world.step());
+    // A plant at the end of the drawing order may fall on either side of a rounded limit; then all its numbers differ.
+    let tolerance = Tolerance { p999: 2e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
+    let [_, own_joints] = on_cpu(&world, 0.0);
+    for behind in [0.0, 0.4] {
+        let [plants, joints] = on_gpu(gpu, &world, behind)?;
+        let [own_plants, earlier] = on_cpu(&world, behind);
+        judge("plants", &own_plants, &plants, &tolerance)?;
+        judge("joints", &earlier, &joints, &tolerance)?;
+        ensure(plants.len() > 8 * 10_000, || format!("only {} plants", plants.len() / 8))?;
+        let other = judge("another moment", &own_joints, &earlier, &tolerance).is_err();
+        ensure(other == (behind > 0.0), || format!("{behind} steps before the state"))?;
+    }
+    // One step later the plants stand where they stood, and their joints do not.
+    world.step();
+    let [_, later] = on_cpu(&world, 0.0);
+    ensure(judge("one step later", &own_joints, &later, &tolerance).is_err(), || "a step later looks the same".to_owned())
+}
