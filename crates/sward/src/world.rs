@@ -132,8 +132,8 @@ impl World {
         Plan { step: self.state.step, stands }
     }
 
-    /// The response of every stand on the CPU.
-    fn respond(&mut self, plan: &Plan) -> Vec<Vec<(PatchKey, Summary)>> {
+    /// The response of every stand on the CPU, between [`World::plan`] and [`World::finish`].
+    pub fn respond(&mut self, plan: &Plan) -> Vec<Vec<(PatchKey, Summary)>> {
         let mut summaries = Vec::new();
         for ((stand, plan_of), state) in self.model.stands.iter().zip(&plan.stands).zip(&mut self.state.stands) {
             summaries.push(continuum::step(&self.model.terrain, stand, plan_of, &mut state.cells, self.lanes));

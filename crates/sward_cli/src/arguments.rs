@@ -57,6 +57,10 @@ pub(crate) enum Command {
     /// Run a scene on the CPU and on the GPU, and say how far they are apart
     #[command(after_long_help = "Example:\n  sward compare hello --steps 240\n\nExit status 1 means: further apart than the tolerance.")]
     Compare(Compare),
+    /// Measure what a scene costs on this machine, stage by stage
+    #[command(after_long_help = "Examples:\n  sward bench hello\n  sward bench hello --on gpu -o figures/\n\n\
+        figures/bench.json and bench.csv hold p50 and p95 of every stage; the JSON also counters, memory and the machine.")]
+    Bench(Bench),
     /// Say what a scene contains and what it costs; needs no graphics adapter
     #[command(after_long_help = "Examples:\n  sward show hello\n  sward show my_scene.ron")]
     Show(Show),
@@ -90,6 +94,12 @@ pub(crate) struct Render {
     /// Frames per second
     #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=1000), requires = "frames")]
     pub(crate) fps: u32,
+    /// Go on with a sequence that was interrupted: frames that are there are kept
+    #[arg(long, requires = "frames")]
+    pub(crate) resume: bool,
+    /// Seconds between two saved states, which --resume goes on from
+    #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = seconds, requires = "frames")]
+    pub(crate) save_every: f64,
     /// Where the simulation runs
     #[arg(long, value_enum, default_value_t = Where::Auto)]
     pub(crate) on: Where,
@@ -125,6 +135,31 @@ pub(crate) struct Compare {
     /// Steps to run
     #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) steps: u32,
+}
+
+/// `sward bench`.
+#[derive(Debug, Args)]
+pub(crate) struct Bench {
+    /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
+    pub(crate) scene: String,
+    /// Steps that are timed
+    #[arg(long, value_name = "N", default_value_t = 120, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
+    pub(crate) steps: u32,
+    /// Steps before those
+    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST)))]
+    pub(crate) warm_up: u32,
+    /// Width and height of the pictures that are timed, in pixels
+    #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
+    pub(crate) size: [u32; 2],
+    /// Where the simulation runs
+    #[arg(long, value_enum, default_value_t = Machine::Cpu)]
+    pub(crate) on: Machine,
+    /// What draws the pictures
+    #[arg(long, value_enum, default_value_t = Draw::Auto)]
+    pub(crate) draw: Draw,
+    /// Folder for bench.json and bench.csv
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 /// `sward show`.

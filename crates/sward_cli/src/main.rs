@@ -5,6 +5,7 @@
 mod arguments;
 mod artist;
 mod backend;
+mod checkpoint;
 mod commands;
 mod console;
 mod failure;
@@ -34,6 +35,7 @@ fn run(arguments: &Arguments, console: &Console) -> Result<(), Failure> {
         None => commands::hello::run(console),
         Some(Command::Render(render)) => commands::render::run(render, console),
         Some(Command::Simulate(simulate)) => commands::simulate::run(simulate, console),
+        Some(Command::Bench(bench)) => commands::bench::run(bench, console),
         Some(Command::Compare(compare)) => commands::compare::run(compare, console),
         Some(Command::Show(show)) => commands::show::run(show, console),
         Some(Command::Scenes(scenes)) => commands::scenes::run(scenes, console),

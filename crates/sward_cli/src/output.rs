@@ -71,6 +71,19 @@ pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
     }
 }
 
+/// Removes what runs that were killed left half-written in a folder.
+pub(crate) fn remove_unfinished(folder: &Path) -> Result<(), Failure> {
+    let entries = std::fs::read_dir(folder).map_err(|error| cannot_write(folder, &error))?;
+    for entry in entries.flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let ours = name.starts_with(".frame") && name.ends_with(".part");
+        if ours {
+            remove(&entry.path())?;
+        }
+    }
+    Ok(())
+}
+
 /// Writes a file under another name first: whoever looks sees the old file or the whole new one.
 pub(crate) fn write_whole(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>) -> Result<(), Failure> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();

@@ -67,7 +67,10 @@ fn render_writes_one_picture_of_the_asked_size() {
 fn render_writes_a_sequence_of_frames() {
     let place = Place::with_small("frames");
     said(&place, &["render", "small.ron", "--size", "32x18", "--frames", "2..5", "--fps", "24", "-o", "clip/"]);
-    assert_eq!(place.files(), ["clip", "clip/frame_0002.png", "clip/frame_0003.png", "clip/frame_0004.png", "small.ron"]);
+    assert_eq!(
+        place.files(),
+        ["clip", "clip/frame_0002.png", "clip/frame_0003.png", "clip/frame_0004.png", "clip/frames.json", "small.ron"]
+    );
     assert_eq!(size_of(&place, "clip/frame_0004.png"), [32, 18]);
 }
 

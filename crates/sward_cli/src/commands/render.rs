@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{BufWriter, Error};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use image::codecs::png::PngEncoder;
@@ -13,6 +13,7 @@ use sward::world::World;
 use crate::arguments::{self, Draw, Where};
 use crate::artist::{self, Artist};
 use crate::backend::Backend;
+use crate::checkpoint::{Checkpoint, Settings};
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::output;
@@ -37,13 +38,15 @@ pub(crate) struct Done {
     pub(crate) on: String,
     /// Time of the work, s.
     pub(crate) seconds: f64,
+    /// Frames of an earlier run that were kept.
+    kept: usize,
 }
 
 /// Draws what was asked for.
 pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<(), Failure> {
     let opened = scenes::open(&arguments.scene)?;
     let rate = opened.scene.steps_per_second;
-    let (shots, folder, place) = match &arguments.frames {
+    let (shots, sequence, place) = match &arguments.frames {
         None => {
             let path = output::picture(arguments.output.as_deref(), &opened.name)?;
             let shot = single(&opened, arguments.time, path.clone());
@@ -56,16 +59,19 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
                 let (step, behind) = moment(f64::from(frame) * f64::from(rate) / f64::from(arguments.fps));
                 Shot { step, behind, path: folder.join(format!("frame_{frame:04}.png")) }
             };
-            (frames.clone().map(shot).collect(), Some(folder.clone()), folder)
+            let settings = Settings::new(&opened, arguments.size, arguments.fps);
+            let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every, arguments.resume)?;
+            (frames.clone().map(shot).collect(), Some((folder.clone(), checkpoint)), folder)
         }
     };
-    let done = draw(&opened, &shots, folder.as_deref(), arguments.size, (arguments.on, arguments.draw), console)?;
+    let done = draw(&opened, &shots, sequence, arguments.size, (arguments.on, arguments.draw), console)?;
     let [width, height] = arguments.size;
     let what = match (shots.len(), shots.last()) {
         (1, Some(shot)) => format!("at {:.2} s", (shot.step as f64 - shot.behind) / f64::from(rate)),
+        (frames, _) if done.kept > 0 => format!("{frames} frames, {} of them there already", done.kept),
         (frames, _) => format!("{frames} frames"),
     };
-    let (place, Done { artist, on, seconds }) = (place.display(), done);
+    let (place, Done { artist, on, seconds, .. }) = (place.display(), done);
     console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {artist} in {seconds:.1} s", opened.name))
 }
 
@@ -82,11 +88,11 @@ fn moment(steps: f64) -> (u64, f64) {
     if (steps - near).abs() < 1e-6 { (near as u64, 0.0) } else { (steps.ceil() as u64, steps.ceil() - steps) }
 }
 
-/// Takes the shots, which are in order of time. Makes `folder` once everything that can be checked has been.
+/// Takes the shots, which are in order of time. Makes the folder of a sequence once everything that can be checked has been.
 pub(crate) fn draw(
     opened: &Opened,
     shots: &[Shot],
-    folder: Option<&Path>,
+    sequence: Option<(PathBuf, Checkpoint)>,
     size: [u32; 2],
     (on, draw): (Where, Draw),
     console: &Console,
@@ -95,20 +101,35 @@ pub(crate) fn draw(
     let mut world = opened.world()?;
     let gpu = artist::adapter(draw, on, console)?;
     let mut artist = Artist::choose(draw, gpu.as_ref(), &world, size)?;
-    let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
-    if let Some(folder) = folder {
-        output::make_folder(folder)?;
+    let missing: Vec<&Shot> = shots.iter().filter(|shot| !sequence.as_ref().is_some_and(|(_, kept)| kept.has(&shot.path))).collect();
+    if let (Some((_, checkpoint)), Some(first)) = (&sequence, missing.first()) {
+        checkpoint.restore(&mut world, first.step)?;
     }
-    let steps = shots.last().map_or(0, |shot| shot.step);
-    let mut progress = Progress::new(steps + shots.len() as u64, "steps and pictures", console);
-    for shot in shots {
+    let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
+    let mut checkpoint = match sequence {
+        None => None,
+        Some((folder, checkpoint)) => {
+            output::make_folder(&folder)?;
+            checkpoint.begin()?;
+            Some(checkpoint)
+        }
+    };
+    let steps = missing.last().map_or(0, |shot| shot.step.saturating_sub(world.state.step));
+    let mut progress = Progress::new(steps + missing.len() as u64, "steps and pictures", console);
+    for shot in &missing {
         advance_to(&mut world, shot.step, &mut backend, &mut progress)?;
         let picture = artist.draw(&mut world, &mut backend, shot.behind, size)?;
         output::write_whole(&shot.path, |writer| write_png(writer, &picture))?;
+        if let Some(checkpoint) = &mut checkpoint {
+            checkpoint.save(&mut world, &mut backend)?;
+        }
         progress.advance();
     }
+    if let Some(checkpoint) = &checkpoint {
+        checkpoint.finish()?;
+    }
     let (artist, on) = (artist.name().to_owned(), backend.name().to_owned());
-    Ok(Done { artist, on, seconds: begun.elapsed().as_secs_f64() })
+    Ok(Done { artist, on, seconds: begun.elapsed().as_secs_f64(), kept: shots.len() - missing.len() })
 }
 
 fn advance_to(world: &mut World, step: u64, backend: &mut Backend<'_>, progress: &mut Progress) -> Result<(), Failure> {

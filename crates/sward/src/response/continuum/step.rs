@@ -51,8 +51,8 @@ fn with_levels<'a, 'b>(
 
 /// The ground under the cells of a patch: the numbers every backend uses for limits and contact.
 pub fn ground_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
-    let anchor = terrain.anchor(patch.map(|p| f64::from(p) * stand.patch_side));
     if patch == TILE || terrain.is_flat() {
+        let anchor = terrain.anchor(patch.map(|p| f64::from(p) * stand.patch_side));
         return Ground { values: Box::default(), steepest: 0.0, level: terrain.height(anchor, [0.0, 0.0]) };
     }
     let cells = stand.cells as usize;
@@ -60,8 +60,10 @@ pub fn ground_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Grou
     let mut values = vec![0.0; 3 * area].into_boxed_slice();
     let mut steepest = 0.0_f32;
     for cell in 0..area {
-        let centre = [cell % cells, cell / cells].map(|k| (k as f32 + 0.5) * stand.spacing as f32);
-        let (height, [x, z]) = terrain.height_and_gradient(anchor, centre);
+        // Each cell by its own number in the field: so the same cell of another patch size has the same ground, to the bit.
+        let within = [cell % cells, cell / cells];
+        let centre = [0, 1].map(|axis| ((i64::from(patch[axis]) * cells as i64 + within[axis] as i64) as f64 + 0.5) * stand.spacing);
+        let (height, [x, z]) = terrain.height_and_gradient(terrain.anchor(centre), [0.0; 2]);
         (values[cell], values[area + cell], values[2 * area + cell]) = (x, z, height);
         let steep = (x * x + z * z).sqrt();
         steepest = if steep > steepest { steep } else { steepest };

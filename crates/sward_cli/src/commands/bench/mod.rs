@@ -1,0 +1,115 @@
+//! `sward bench`: what a scene costs on this machine, stage by stage.
+
+mod measure;
+mod report;
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use sward::world::World;
+
+use crate::arguments::{self, Machine, Where};
+use crate::artist::{self, Artist};
+use crate::backend::Backend;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::Progress;
+use crate::scenes;
+use measure::{Stages, Triad, ratio};
+use report::{Counters, Memory, Report};
+
+/// Pairs of a step and a triad, in ABBA order.
+const PAIRS: usize = 24;
+/// Pictures drawn.
+const PICTURES: u32 = 5;
+
+/// Measures a scene.
+pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(), Failure> {
+    let opened = scenes::open(&arguments.scene)?;
+    if let Some(folder) = &arguments.output {
+        output::folder(folder, false)?;
+    }
+    let on = if arguments.on == Machine::Gpu { Where::Gpu } else { Where::Cpu };
+    let mut world = opened.world()?;
+    let gpu = artist::adapter(arguments.draw, on, console)?;
+    let mut artist = Artist::choose(arguments.draw, gpu.as_ref(), &world, arguments.size)?;
+    let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
+    let pairs = if on == Where::Cpu { 2 * PAIRS as u64 } else { 0 };
+    let length = u64::from(arguments.warm_up) + u64::from(arguments.steps) + u64::from(PICTURES) + pairs;
+    let mut progress = Progress::new(length, "steps and pictures", console);
+    for _ in 0..arguments.warm_up {
+        backend.step(&mut world)?;
+        progress.advance();
+    }
+    let before = Counters::of(&world, &backend);
+    let mut stages = Stages::default();
+    for _ in 0..arguments.steps {
+        step(&mut world, &mut backend, &mut stages)?;
+        progress.advance();
+    }
+    let counters = Counters::of(&world, &backend).since(&before);
+    for _ in 0..PICTURES {
+        stages.time("picture", || artist.draw(&mut world, &mut backend, 0.0, arguments.size))?;
+        progress.advance();
+    }
+    let mut triad = Triad::new();
+    let mut measured = Vec::new();
+    if on == Where::Cpu {
+        for pair in 0..PAIRS {
+            measured.push(pair_of(&mut world, &mut triad, pair % 2 == 0));
+            progress.advance();
+        }
+    }
+    drop(progress);
+    let report = Report {
+        scene: opened.name.clone(),
+        on: backend.name().to_owned(),
+        drawn_on: artist.name().to_owned(),
+        steps: arguments.steps,
+        warm_up: arguments.warm_up,
+        size: arguments.size,
+        triad: triad.speed(),
+        stages: stages.rows(),
+        counters,
+        memory: Memory::of(&world),
+        ratio: ratio(&measured),
+        ..Report::of_machine(gpu.as_ref())
+    };
+    if let Some(folder) = &arguments.output {
+        write(&report, folder)?;
+    }
+    console.answer(&report.table())
+}
+
+/// One step, stage by stage where they can be told apart.
+fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Result<(), Failure> {
+    if !matches!(backend, Backend::Cpu) {
+        return stages.time("step", || backend.step(world));
+    }
+    let plan = stages.time("plan: bodies, wind, activation", || world.plan());
+    let summaries = stages.time("response: contact, wave, lags", || world.respond(&plan));
+    stages.time("file summaries", || world.finish(summaries));
+    Ok(())
+}
+
+/// Bytes a second of two steps' responses and of two triads, in ABBA or BAAB order.
+fn pair_of(world: &mut World, triad: &mut Triad, step_first: bool) -> [f64; 2] {
+    let mut response = || {
+        let plan = world.plan();
+        let bytes = 48.0 * report::cells(world) as f64;
+        let (seconds, summaries) = measure::seconds(|| world.respond(&plan));
+        world.finish(summaries);
+        bytes / seconds
+    };
+    let mut bare = || triad.run();
+    let [a, b, c, d] = if step_first { [response(), bare(), bare(), response()] } else { [bare(), response(), response(), bare()] };
+    if step_first { [0.5 * (a + d), 0.5 * (b + c)] } else { [0.5 * (b + c), 0.5 * (a + d)] }
+}
+
+fn write(report: &Report, folder: &PathBuf) -> Result<(), Failure> {
+    output::make_folder(folder)?;
+    let json = serde_json::to_string_pretty(report).map_err(|error| Failure::failed(format!("cannot write the figures: {error}")))?;
+    output::write_whole(&folder.join("bench.json"), |writer| writeln!(writer, "{json}"))?;
+    output::write_whole(&folder.join("bench.csv"), |writer| writer.write_all(report.csv().as_bytes()))
+}

@@ -1,0 +1,194 @@
+//! The figures: as a table, as JSON, as CSV.
+
+use std::fmt::Write;
+
+use serde::Serialize;
+use sward::world::World;
+use sward_wgpu::gpu::Gpu;
+
+use super::measure::{Ratio, Row};
+use crate::backend::Backend;
+
+/// Everything measured.
+#[derive(Debug, Default, Serialize)]
+pub(crate) struct Report {
+    pub(crate) sward: &'static str,
+    pub(crate) scene: String,
+    /// Where the simulation ran.
+    pub(crate) on: String,
+    pub(crate) drawn_on: String,
+    pub(crate) system: String,
+    pub(crate) threads: usize,
+    pub(crate) adapter: Option<String>,
+    pub(crate) driver: Option<String>,
+    pub(crate) warm_up: u32,
+    pub(crate) steps: u32,
+    /// Pixels of the pictures.
+    pub(crate) size: [u32; 2],
+    /// Speed of memory, GB/s.
+    #[serde(rename = "triad_gb_per_s")]
+    pub(crate) triad: f64,
+    pub(crate) stages: Vec<Row>,
+    pub(crate) counters: Counters,
+    pub(crate) memory: Memory,
+    /// The response's cells at 48 bytes against the triad; on the CPU only.
+    pub(crate) ratio: Option<Ratio>,
+}
+
+/// What was done in the timed steps: the same on every machine.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(crate) struct Counters {
+    /// Updates of a patch.
+    pub(crate) patch_steps: u64,
+    /// Updates of a cell.
+    pub(crate) cell_steps: u64,
+    pub(crate) patches_woken: u64,
+    pub(crate) cells_limited: u64,
+    /// Of the GPU.
+    pub(crate) dispatches: u64,
+    pub(crate) invocations: u64,
+    pub(crate) bytes_uploaded: u64,
+}
+
+/// Bytes of the state as it stands.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(crate) struct Memory {
+    pub(crate) patches_awake: u64,
+    pub(crate) cells_awake: u64,
+    /// β and ω at two times.
+    pub(crate) state: u64,
+    /// Slopes and heights under them.
+    pub(crate) ground: u64,
+    /// Upper segments near cameras.
+    pub(crate) upper_segments: u64,
+    /// Plants in those patches; they take no memory.
+    pub(crate) plants: u64,
+}
+
+/// Cells awake.
+pub(crate) fn cells(world: &World) -> u64 {
+    let stands = world.model.stands.iter().zip(&world.state.stands);
+    stands.map(|(model, state)| state.awake.len() as u64 * u64::from(model.cells) * u64::from(model.cells)).sum()
+}
+
+impl Counters {
+    /// Since the start.
+    pub(crate) fn of(world: &World, backend: &Backend<'_>) -> Self {
+        let mut counters = Self::default();
+        for (model, state) in world.model.stands.iter().zip(&world.state.stands) {
+            counters.patch_steps += state.counters.patch_steps;
+            counters.cell_steps += state.counters.patch_steps * u64::from(model.cells) * u64::from(model.cells);
+            counters.patches_woken += state.counters.woken;
+            counters.cells_limited += state.counters.clamped;
+        }
+        if let Backend::Gpu(_, step) = backend {
+            (counters.dispatches, counters.invocations, counters.bytes_uploaded) =
+                (step.work.dispatches, step.work.invocations, step.work.uploaded);
+        }
+        counters
+    }
+
+    /// Since another moment.
+    pub(crate) fn since(&self, before: &Self) -> Self {
+        Self {
+            patch_steps: self.patch_steps - before.patch_steps,
+            cell_steps: self.cell_steps - before.cell_steps,
+            patches_woken: self.patches_woken - before.patches_woken,
+            cells_limited: self.cells_limited - before.cells_limited,
+            dispatches: self.dispatches - before.dispatches,
+            invocations: self.invocations - before.invocations,
+            bytes_uploaded: self.bytes_uploaded - before.bytes_uploaded,
+        }
+    }
+}
+
+impl Memory {
+    /// Of the awake patches.
+    pub(crate) fn of(world: &World) -> Self {
+        let mut memory = Self::default();
+        for (model, state) in world.model.stands.iter().zip(&world.state.stands) {
+            let area = u64::from(model.cells) * u64::from(model.cells);
+            let patches = state.awake.len() as u64;
+            let lagged = state.awake.values().filter(|awake| awake.lag != sward::state::NONE).count() as u64;
+            memory.patches_awake += patches;
+            memory.cells_awake += patches * area;
+            memory.state += patches * area * 32;
+            memory.ground += if world.model.terrain.is_flat() { 0 } else { patches * area * 12 };
+            memory.upper_segments += lagged * area * 8 * u64::from(model.lag.segments.saturating_sub(1));
+            memory.plants += (patches as f64 * area as f64 * f64::from(model.placement.cover)) as u64;
+        }
+        memory
+    }
+}
+
+impl Report {
+    /// What is known of the machine.
+    pub(crate) fn of_machine(gpu: Option<&Gpu>) -> Self {
+        Self {
+            sward: env!("CARGO_PKG_VERSION"),
+            system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
+            threads: std::thread::available_parallelism().map_or(1, usize::from),
+            adapter: gpu.map(|gpu| gpu.adapter_info.name.clone()),
+            driver: gpu.map(|gpu| gpu.adapter_info.driver_info.clone()),
+            ..Self::default()
+        }
+    }
+
+    /// For a reader.
+    pub(crate) fn table(&self) -> String {
+        let mut text = String::new();
+        let [width, height] = self.size;
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}: {} steps on {}, pictures of {width}x{height} on {}", self.scene, self.steps, self.on, self.drawn_on);
+        let _ = writeln!(text, "{}, {} threads, memory {:.1} GB/s (triad)\n", self.system, self.threads, self.triad);
+        let _ = writeln!(text, "{:32} {:>10} {:>10} {:>8}", "stage", "p50 ms", "p95 ms", "samples");
+        for row in &self.stages {
+            let _ = writeln!(text, "{:32} {:10.3} {:10.3} {:8}", row.stage, row.p50_ms, row.p95_ms, row.samples);
+        }
+        let (counters, memory) = (&self.counters, &self.memory);
+        let _ = writeln!(text, "\n{} patches awake, {} cells, {} plants", memory.patches_awake, memory.cells_awake, memory.plants);
+        let _ = writeln!(
+            text,
+            "{:.1} MB of state, {:.1} MB of ground, {:.1} MB of upper segments",
+            memory.state as f64 / 1e6,
+            memory.ground as f64 / 1e6,
+            memory.upper_segments as f64 / 1e6
+        );
+        let _ = writeln!(
+            text,
+            "{} patch steps, {} cell steps, {} patches woken",
+            counters.patch_steps, counters.cell_steps, counters.patches_woken
+        );
+        if counters.dispatches > 0 {
+            let _ = writeln!(
+                text,
+                "{} dispatches, {} invocations, {:.1} MB uploaded",
+                counters.dispatches,
+                counters.invocations,
+                counters.bytes_uploaded as f64 / 1e6
+            );
+        }
+        if let Some(ratio) = self.ratio.filter(|ratio| ratio.step_gb_per_s > 0.0) {
+            let _ = writeln!(
+                text,
+                "response: {:.1} M cells/s; at 48 bytes a cell {:.2} of the triad ({:.2} to {:.2}, {} pairs)",
+                ratio.step_gb_per_s * 1e3 / 48.0,
+                ratio.median,
+                ratio.low,
+                ratio.high,
+                ratio.pairs
+            );
+        }
+        text
+    }
+
+    /// For a spreadsheet.
+    pub(crate) fn csv(&self) -> String {
+        let mut text = String::from("scene,on,stage,p50_ms,p95_ms,samples\n");
+        for row in &self.stages {
+            let (on, stage) = (self.on.replace('"', "'"), row.stage.replace('"', "'"));
+            let _ = writeln!(text, "{},\"{on}\",\"{stage}\",{:.6},{:.6},{}", self.scene, row.p50_ms, row.p95_ms, row.samples);
+        }
+        text
+    }
+}

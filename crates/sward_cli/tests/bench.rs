@@ -1,0 +1,36 @@
+//! `sward bench` measures what it says it measures.
+
+mod support;
+use support::Place;
+
+fn measured(place: &Place, scene: &str, folder: &str) -> serde_json::Value {
+    let arguments = ["bench", scene, "--steps", "12", "--warm-up", "3", "--size", "48x27", "--draw", "cpu", "-o", folder];
+    let table = place.sward(&arguments).done();
+    for word in ["stage", "p50 ms", "response", "picture", "triad", "MB of state"] {
+        assert!(table.contains(word), "no `{word}` in\n{table}");
+    }
+    serde_json::from_str(&std::fs::read_to_string(place.0.join(folder).join("bench.json")).expect("written")).expect("JSON")
+}
+
+#[test]
+fn bench_counts_the_same_work_every_time_and_times_every_stage() {
+    let place = Place::with_small("bench");
+    let (first, second) = (measured(&place, "small.ron", "first"), measured(&place, "small.ron", "second"));
+    assert_eq!(first["counters"], second["counters"]);
+    assert_eq!(first["memory"], second["memory"]);
+    let number = |value: &serde_json::Value| value.as_f64().expect("a number");
+    assert!(number(&first["counters"]["cell_steps"]) > 0.0 && number(&first["triad_gb_per_s"]) > 0.1);
+    assert_eq!(number(&first["memory"]["state"]), 32.0 * number(&first["memory"]["cells_awake"]));
+    let stages = first["stages"].as_array().expect("a list");
+    let samples: Vec<(&str, u64)> =
+        stages.iter().map(|row| (row["stage"].as_str().expect("a name"), row["samples"].as_u64().expect("a count"))).collect();
+    let expected = [("plan: bodies, wind, activation", 12), ("response: contact, wave, lags", 12), ("file summaries", 12), ("picture", 5)];
+    assert_eq!(samples, expected);
+    assert!(stages.iter().all(|row| number(&row["p50_ms"]) > 0.0 && number(&row["p95_ms"]) >= number(&row["p50_ms"])));
+    let csv = std::fs::read_to_string(place.0.join("first/bench.csv")).expect("written");
+    assert_eq!(csv.lines().count(), 1 + stages.len());
+    // Without wind and bodies everything sleeps: no cell is touched.
+    place.write("still.ron", "(version: 1, stands: [(species: Meadow)])");
+    let still = measured(&place, "still.ron", "still");
+    assert_eq!((number(&still["counters"]["cell_steps"]), number(&still["memory"]["state"])), (0.0, 0.0));
+}
