@@ -4,7 +4,7 @@ mod measure;
 mod report;
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::Path;
 
 use sward::world::World;
 
@@ -107,7 +107,7 @@ fn pair_of(world: &mut World, triad: &mut Triad, step_first: bool) -> [f64; 2] {
     if step_first { [0.5 * (a + d), 0.5 * (b + c)] } else { [0.5 * (b + c), 0.5 * (a + d)] }
 }
 
-fn write(report: &Report, folder: &PathBuf) -> Result<(), Failure> {
+fn write(report: &Report, folder: &Path) -> Result<(), Failure> {
     output::make_folder(folder)?;
     let json = serde_json::to_string_pretty(report).map_err(|error| Failure::failed(format!("cannot write the figures: {error}")))?;
     output::write_whole(&folder.join("bench.json"), |writer| writeln!(writer, "{json}"))?;
