@@ -50,7 +50,10 @@ fn auto_falls_back_to_what_cpu_draws() {
 fn a_sequence_is_drawn_on_the_cpu() {
     let place = Place::with_small("frames_on_cpu");
     place.sward(&["render", "small.ron", "--size", "32x18", "--frames", "2..5", "--draw", "cpu", "-o", "clip/"]).done();
-    assert_eq!(place.files(), ["clip", "clip/frame_0002.png", "clip/frame_0003.png", "clip/frame_0004.png", "small.ron"]);
+    assert_eq!(
+        place.files(),
+        ["clip", "clip/frame_0002.png", "clip/frame_0003.png", "clip/frame_0004.png", "clip/frames.json", "small.ron"]
+    );
     let bytes = |frame: u32| std::fs::read(place.0.join(format!("clip/frame_000{frame}.png"))).expect("it exists");
     assert_ne!(bytes(2), bytes(4), "time passes");
 }
