@@ -26,12 +26,17 @@ fn killed_at_any_moment_it_goes_on() {
     let whole = frames(&place, "whole");
     assert_eq!(whole.len(), FRAMES);
     let (mut seed, mut cut_short) = (12345_u64, 0);
-    for attempt in 0..40 {
+    for attempt in 0..16 {
+        let before = frames(&place, "cut").len();
         let mut command = Command::new(env!("CARGO_BIN_EXE_sward"));
         command.current_dir(&place.0).args(SEQUENCE).args(["cut", "--resume", "--save-every", "0"]);
         let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the program starts");
+        // Every other time a frame is waited for, on machines of any speed; then it may happen at any moment.
+        while attempt % 2 == 0 && frames(&place, "cut").len() == before && child.try_wait().expect("it is ours").is_none() {
+            std::thread::sleep(Duration::from_millis(2));
+        }
         seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        std::thread::sleep(Duration::from_millis(150 + (seed >> 33) % 350));
+        std::thread::sleep(Duration::from_millis((seed >> 33) % 250));
         // Kill is SIGKILL: nothing of the program runs any more.
         child.kill().expect("it is ours");
         let ended = child.wait().expect("it is ours").success();
@@ -39,7 +44,7 @@ fn killed_at_any_moment_it_goes_on() {
         for (name, bytes) in &found {
             assert!(whole.get(name) == Some(bytes), "attempt {attempt}: {name} is not the frame it should be");
         }
-        cut_short += u32::from(!ended && !found.is_empty() && found.len() < FRAMES);
+        cut_short += u32::from(!ended && found.len() > before && found.len() < FRAMES);
         if ended {
             break;
         }
