@@ -13,7 +13,8 @@ struct CardRung {
 // are stacked, in steps of 18 mm. `keep`: share of its size that a fading plant keeps.
 fn card_rung(base: vec3<f32>, here: vec3<f32>, low: vec3<f32>, high: vec3<f32>, turn: f32, width: f32, lift: f32, keep: f32) -> CardRung {
     let tangent = normalize(high - low + vec3<f32>(0.0, 1e-5, 0.0));
-    let flat_side = vec3<f32>(cos(turn), 0.0, sin(turn));
+    let heading = math_sin_cos(turn);
+    let flat_side = vec3<f32>(heading.y, 0.0, heading.x);
     // Turn the side with the stem, then let lying cards spread on the ground instead of standing on edge.
     let carried = flat_side - dot(flat_side, tangent) / max(1.0 + tangent.y, 0.1) * (tangent + vec3<f32>(0.0, 1.0, 0.0));
     let level = normalize(vec3<f32>(-tangent.z, 0.0, tangent.x) + vec3<f32>(1e-4, 0.0, 0.0));

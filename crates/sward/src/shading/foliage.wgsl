@@ -46,7 +46,8 @@ fn shading_foliage(species: ShadingSpecies, card: ShadingCard, texel: vec4<f32>,
     // Where a pixel's centre lies outside its triangle, the place is extrapolated: below the root there is no square root.
     let along = clamp(card.along, 0.0, 1.0);
     let heading = (texel.b - 0.5) * 2.6;
-    var normal = normalize(card.facing * cos(heading) + card.across * sin(heading) + vec3<f32>(0.0, 0.18, 0.0));
+    let facing = math_sin_cos(heading);
+    var normal = normalize(card.facing * facing.y + card.across * facing.x + vec3<f32>(0.0, 0.18, 0.0));
     normal = normal * select(-1.0, 1.0, dot(normal, view) > 0.0);
     let dry = texel.g + species.root.w + 0.55 * card.patchwork.y + 0.3 * max(card.tint - 0.75, 0.0);
     let shade = texel.r * (0.86 + 0.28 * card.tint);
@@ -54,6 +55,6 @@ fn shading_foliage(species: ShadingSpecies, card: ShadingCard, texel: vec4<f32>,
     // Neighbours hide the sky and, with a low sun, the sun from all but the tips.
     let open = mix(mix(mix(species.mean.x, 1.0, along * sqrt(along)), 0.9, card.lying), 0.7, far);
     let reach = 1.0 - along;
-    let through_canopy = mix(mix(exp(-species.mean.y * reach * reach / (0.25 + light.sun.y)), 0.9, card.lying), 0.6, far);
+    let through_canopy = mix(mix(math_exp(-species.mean.y * reach * reach / (0.25 + light.sun.y)), 0.9, card.lying), 0.6, far);
     return shading_grass(albedo, normal, view, light, lit * through_canopy, open, species.tip.w);
 }

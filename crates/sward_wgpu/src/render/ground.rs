@@ -9,14 +9,8 @@ use super::{PipelineParts, Slot, layout, main_pipeline, shader};
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader, after the common ones.
-pub const PARTS: [&str; 6] = [
-    sward::math::WGSL,
-    sward::terrain::DETAIL_WGSL,
-    super::relief::WGSL,
-    super::HEIGHTS_WGSL,
-    super::SHADOWS_WGSL,
-    include_str!("ground.wgsl"),
-];
+pub const PARTS: [&str; 5] =
+    [sward::terrain::DETAIL_WGSL, super::relief::WGSL, super::HEIGHTS_WGSL, super::SHADOWS_WGSL, include_str!("ground.wgsl")];
 
 /// The ground's pass.
 pub(crate) struct GroundPass {

@@ -22,9 +22,12 @@ pub const HEIGHTS_WGSL: &str = include_str!("heights.wgsl");
 /// Reading the shadow map.
 pub const SHADOWS_WGSL: &str = include_str!("shadows.wgsl");
 
-/// The full text of a drawing shader: shading library, frame, then the pass's own files.
+/// The full text of a drawing shader: our mathematics (drivers' own sines differ in the fourth digit), shading library, frame, then the pass's own files.
 pub fn assemble(parts: &[&str]) -> String {
-    let mut text = shading::WGSL.join("\n");
+    let mut text = sward::math::WGSL.to_owned();
+    for part in shading::WGSL {
+        text.push_str(part);
+    }
     for part in [FRAME_WGSL].iter().chain(parts) {
         text.push('\n');
         text.push_str(part);

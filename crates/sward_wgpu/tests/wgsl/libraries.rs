@@ -26,10 +26,10 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("contact", vec![math::WGSL, CONTACT_STUB, interaction::WGSL]),
         ("continuum", continuum),
         ("billboard", vec![math::WGSL, billboard::WGSL]),
-        ("card", vec![card::WGSL]),
+        ("card", vec![math::WGSL, card::WGSL]),
         ("relief", vec![RELIEF_STUB, relief::WGSL]),
         ("shading/common", vec![shading::COMMON_WGSL]),
-        ("shading", shading::WGSL.to_vec()),
+        ("shading", [&[math::WGSL], &shading::WGSL[..]].concat()),
     ]
 }
 
