@@ -5,10 +5,11 @@
 
 use super::bend;
 use super::coefficients::{Coefficients, RATE_LIMIT};
-use super::propagate::{RowInput, RowPeak, deviation, fade_row, keep_held, largest, limit_row, propagate_row};
+use super::propagate::{RowInput, RowOutput, deviation, fade_row, keep_held, largest, limit_row, propagate_row};
 use super::rest::Rest;
 use crate::activation::BAND;
-use crate::interaction::{Contact, ContactEdge, contact_at};
+use crate::interaction::{Contact, ContactEdge, Hit, contact_at};
+use crate::lanes::Simd;
 use crate::state::{Ground, Summary};
 
 /// Contacts that reach a patch.
@@ -30,34 +31,38 @@ pub fn touch_patch(
     held: &mut [u8],
 ) {
     let area = cells * cells;
-    let side = cells as i32;
-    let clip = |low: i32, size: i32| (low.clamp(0, side), low.saturating_add(size).clamp(0, side));
-    let bounds = by.contacts.iter().map(|(contact, corner)| (clip(corner[0], contact.size[0]), clip(corner[1], contact.size[1])));
-    let Some(((x0, x1), (z0, z1))) = bounds.reduce(|a, b| {
-        let joined = |p: (i32, i32), q: (i32, i32)| (p.0.min(q.0), p.1.max(q.1));
-        (joined(a.0, b.0), joined(a.1, b.1))
-    }) else {
-        return;
-    };
-    for j in z0..z1 {
-        for i in x0..x1 {
-            let cell = j as usize * cells + i as usize;
-            let hits = by.contacts.iter().filter_map(|(contact, corner)| {
-                let edges = &by.edges[contact.edge_first as usize..][..contact.edge_count as usize];
-                let (u, v) = (i - corner[0], j - corner[1]);
-                let covered = u >= 0 && v >= 0 && u < contact.size[0] && v < contact.size[1];
-                if covered { contact_at(contact, edges, [u, v], ground.height(cells, cell), co.plant_height) } else { None }
-            });
-            let bend = [now[cell], now[area + cell]];
-            if let Some(next) = bend::contact(co, bend, ground.slope(cells, cell), hits) {
-                held[cell] = 1;
-                for (plane, value) in [next.bend[0], next.bend[1], next.rate[0], next.rate[1]].into_iter().enumerate() {
-                    now[plane * area + cell] = value;
-                    old[plane * area + cell] = value;
-                }
+    let mut hits = hits_of(co, cells, by, ground);
+    // Stable: hits of a cell stay in body order.
+    hits.sort_by_key(|(cell, _)| *cell);
+    for same in hits.chunk_by(|a, b| a.0 == b.0) {
+        let cell = same[0].0;
+        let bend = [now[cell], now[area + cell]];
+        if let Some(next) = bend::contact(co, bend, ground.slope(cells, cell), same.iter().map(|(_, hit)| *hit)) {
+            held[cell] = 1;
+            for (plane, value) in [next.bend[0], next.bend[1], next.rate[0], next.rate[1]].into_iter().enumerate() {
+                now[plane * area + cell] = value;
+                old[plane * area + cell] = value;
             }
         }
     }
+}
+
+/// Cells that bodies reach, body by body: only those within a footprint's own bounds are looked at.
+fn hits_of(co: &Coefficients, cells: usize, by: &PatchContacts, ground: &Ground) -> Vec<(usize, Hit)> {
+    let side = cells as i32;
+    let within = |low: i32, size: i32| low.clamp(0, side)..low.saturating_add(size).clamp(0, side);
+    let mut hits = Vec::new();
+    for (contact, corner) in by.contacts {
+        let edges = &by.edges[contact.edge_first as usize..][..contact.edge_count as usize];
+        for j in within(corner[1], contact.size[1]) {
+            for i in within(corner[0], contact.size[0]) {
+                let cell = j as usize * cells + i as usize;
+                let hit = contact_at(contact, edges, [i - corner[0], j - corner[1]], ground.height(cells, cell), co.plant_height);
+                hits.extend(hit.map(|hit| (cell, hit)));
+            }
+        }
+    }
+    hits
 }
 
 /// What the wave of one patch reads.
@@ -81,18 +86,18 @@ pub struct Wave<'a> {
 /// Working rows of one thread.
 #[derive(Default)]
 pub struct Scratch {
-    middle: [Vec<f32>; 4],
-    outside: [Vec<f32>; 4],
+    /// The row before, the row itself and the row after, plane by plane, each with a cell of halo at both ends.
+    rows: [[Vec<f32>; 4]; 3],
     rest: [Vec<f32>; 2],
     columns: [Vec<f32>; 2],
+    pace: [Vec<f32>; 2],
     deviations: Vec<u32>,
 }
 
 impl Scratch {
     fn resize(&mut self, cells: usize) {
-        self.middle.iter_mut().for_each(|row| row.resize(cells + 2, 0.0));
-        self.outside.iter_mut().for_each(|row| row.resize(cells, 0.0));
-        self.rest.iter_mut().for_each(|row| row.resize(cells, 0.0));
+        self.rows.iter_mut().flatten().for_each(|row| row.resize(cells + 2, 0.0));
+        self.rest.iter_mut().chain(&mut self.pace).for_each(|row| row.resize(cells, 0.0));
         self.columns.iter_mut().for_each(|column| column.resize(4 * cells, 0.0));
         self.deviations.resize(cells, 0);
     }
@@ -104,27 +109,9 @@ fn plane_row(patch: &[f32], cells: usize, plane: usize, row: usize) -> &[f32] {
 }
 
 #[inline(always)]
-fn planes(patch: &[f32], cells: usize, row: usize) -> [&[f32]; 4] {
-    [plane_row(patch, cells, 0, row), plane_row(patch, cells, 1, row), plane_row(patch, cells, 2, row), plane_row(patch, cells, 3, row)]
-}
-
-#[inline(always)]
 fn planes_mut(patch: &mut [f32], cells: usize, row: usize) -> Option<[&mut [f32]; 4]> {
     let mut rows = patch.chunks_exact_mut(cells).skip(row).step_by(cells);
     Some([rows.next()?, rows.next()?, rows.next()?, rows.next()?])
-}
-
-/// The row beyond the patch: of the awake neighbour, or at rest.
-fn outside<'a>(wave: &Wave<'a>, side: usize, cells: usize, rows: &'a mut [Vec<f32>; 4]) -> [&'a [f32]; 4] {
-    let (neighbour_row, j) = if side == 2 { (cells - 1, -1) } else { (0, cells as i32) };
-    if let Some(neighbour) = wave.neighbours[side] {
-        return planes(neighbour, cells, neighbour_row);
-    }
-    let [x, z, wx, wz] = rows;
-    wave.rest.row(j, [x, z]);
-    wx.fill(0.0);
-    wz.fill(0.0);
-    [x, z, wx, wz]
 }
 
 /// The halo columns at −x and +x, planes of `cells` values: of the awake neighbours, or at rest. Gathered at once, since one by one
@@ -150,13 +137,33 @@ fn fill_columns(wave: &Wave, cells: usize, columns: &mut [Vec<f32>; 2]) {
     }
 }
 
+/// Gathers row `j`, −1 ≤ j ≤ cells, with its halo: of the patch, of an awake neighbour, or at rest. A row is gathered a row ahead of
+/// its use, in the pieces it is used in: otherwise the processor would wait for its own stores.
 #[inline(always)]
-fn fill_middle(wave: &Wave, cells: usize, j: usize, columns: &[Vec<f32>; 2], middle: &mut [Vec<f32>; 4]) {
+fn fill_row<S: Simd>(wave: &Wave, cells: usize, j: i32, columns: &[Vec<f32>; 2], row: &mut [Vec<f32>; 4]) {
+    let (from, at) = match j {
+        -1 => (wave.neighbours[2], cells - 1),
+        j if j < cells as i32 => (Some(wave.now), j as usize),
+        _ => (wave.neighbours[3], 0),
+    };
+    let Some(from) = from else {
+        let [x, z, wx, wz] = row;
+        wave.rest.row(j, [&mut x[1..=cells], &mut z[1..=cells]]);
+        wx.fill(0.0);
+        wz.fill(0.0);
+        return;
+    };
     for plane in 0..4 {
-        let row = &mut middle[plane];
-        row[0] = columns[0][plane * cells + j];
-        row[1..=cells].copy_from_slice(plane_row(wave.now, cells, plane, j));
-        row[cells + 1] = columns[1][plane * cells + j];
+        let (source, row) = (plane_row(from, cells, plane, at), &mut row[plane]);
+        let (pieces, tail) = S::as_simd_f32s(source);
+        let (places, places_tail) = S::as_mut_simd_f32s(&mut row[1..=cells]);
+        for (place, piece) in places.iter_mut().zip(pieces) {
+            *place = *piece;
+        }
+        places_tail.copy_from_slice(tail);
+        // Beyond the patch nothing reads the corners.
+        row[0] = columns[0][plane * cells + at];
+        row[cells + 1] = columns[1][plane * cells + at];
     }
 }
 
@@ -171,11 +178,11 @@ fn deviations(next: &[&mut [f32]; 4], rest: [&[f32]; 2], bits: &mut [u32]) {
     }
 }
 
+/// Adds a row to a summary: `all` is the largest of its deviations `bits`.
 #[inline(always)]
-fn summarise(bits: &[u32], j: usize, summary: &mut [u32; 5]) {
+fn summarise(all: u32, bits: &[u32], j: usize, summary: &mut [u32; 5]) {
     let cells = bits.len();
     let band = if BAND < cells { BAND } else { cells };
-    let all = largest(bits);
     let (first, last) = (largest(&bits[..band]), largest(&bits[cells - band..]));
     let low = if j < BAND { all } else { 0 };
     let high = if j + BAND >= cells { all } else { 0 };
@@ -186,37 +193,48 @@ fn summarise(bits: &[u32], j: usize, summary: &mut [u32; 5]) {
 
 /// One substep of the wave over one patch: `old` holds the past and receives the future.
 #[inline(always)]
-pub fn step_patch(co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32], scratch: &mut Scratch) -> Summary {
+pub fn step_patch<S: Simd>(simd: S, co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32], scratch: &mut Scratch) -> Summary {
     scratch.resize(cells);
     let (mut squares, mut clamped) = ([0_u32; 5], 0);
     let safe = [(wave.safe_limit * wave.safe_limit).to_bits(), (RATE_LIMIT * RATE_LIMIT * 0.9999).to_bits()];
     fill_columns(wave, cells, &mut scratch.columns);
+    fill_row::<S>(wave, cells, -1, &scratch.columns, &mut scratch.rows[1]);
+    fill_row::<S>(wave, cells, 0, &scratch.columns, &mut scratch.rows[2]);
     for j in 0..cells {
-        fill_middle(wave, cells, j, &scratch.columns, &mut scratch.middle);
+        scratch.rows.rotate_left(1);
+        let [before, middle, after] = &mut scratch.rows;
+        fill_row::<S>(wave, cells, j as i32 + 1, &scratch.columns, after);
         let [rest_x, rest_z] = &mut scratch.rest;
-        wave.rest.row(j as i32, [rest_x, rest_z]);
+        if j == 0 || !matches!(wave.rest, Rest::Uniform(_)) {
+            wave.rest.row(j as i32, [rest_x, rest_z]);
+        }
         let rest = [&scratch.rest[0][..cells], &scratch.rest[1][..cells]];
-        let (first, last) = (j == 0, j + 1 == cells);
-        let (before, after) = match (first, last) {
-            (true, _) => (outside(wave, 2, cells, &mut scratch.outside), planes(wave.now, cells, j + 1)),
-            (_, true) => (planes(wave.now, cells, j - 1), outside(wave, 3, cells, &mut scratch.outside)),
-            _ => (planes(wave.now, cells, j - 1), planes(wave.now, cells, j + 1)),
-        };
         let held = if wave.held.is_empty() { wave.held } else { &wave.held[j * cells..][..cells] };
-        let [a, b, c, d] = &scratch.middle;
-        let middle = [&a[..], &b[..], &c[..], &d[..]];
-        let input = RowInput { middle, before, after, rest, held };
-        let Some(mut next) = planes_mut(old, cells, j) else { continue };
-        let peak: RowPeak = propagate_row(co, &input, &mut next);
+        let input = RowInput {
+            middle: middle.each_ref().map(|row| &row[..]),
+            before: before.each_ref().map(|row| &row[1..=cells]),
+            after: after.each_ref().map(|row| &row[1..=cells]),
+            rest,
+            held,
+        };
+        let Some(old) = planes_mut(old, cells, j) else { continue };
+        let [keep, spread] = &mut scratch.pace;
+        let mut output = RowOutput { old, deviations: &mut scratch.deviations, pace: [keep, spread] };
+        let mut peak = propagate_row(simd, co, &input, &mut output);
+        let RowOutput { old: mut next, deviations: bits, .. } = output;
         keep_held(&input, &mut next);
-        if peak.bend > safe[0] || peak.rate > safe[1] {
+        let over = peak.bend > safe[0] || peak.rate > safe[1];
+        if over {
             clamped += limit_row(&mut next, wave.ground.slope_row(cells, j), held);
         }
         if wave.keep < 1.0 {
             fade_row(&mut next, rest, wave.keep);
         }
-        deviations(&next, rest, &mut scratch.deviations);
-        summarise(&scratch.deviations, j, &mut squares);
+        if over || wave.keep < 1.0 || !held.is_empty() {
+            deviations(&next, rest, bits);
+            peak.deviation = largest(bits);
+        }
+        summarise(peak.deviation, bits, j, &mut squares);
     }
     let [largest, borders @ ..] = squares.map(f32::from_bits);
     Summary { largest, borders, clamped }

@@ -8,7 +8,7 @@ use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
 use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
 use super::rest::Rest;
 use crate::interaction::Contact;
-use crate::lanes::{Lanes, Work};
+use crate::lanes::{Lanes, Simd, Work};
 use crate::plan::{PatchPlan, StandPlan};
 use crate::response::StandModel;
 use crate::state::{Cells, Ground, NONE, PatchKey, Summary, TILE};
@@ -107,8 +107,8 @@ impl Work for PatchWork<'_> {
     type Output = Summary;
 
     #[inline(always)]
-    fn run(self) -> Summary {
-        step_patch(self.co, self.side, self.wave, self.old, &mut Scratch::default())
+    fn run<S: Simd>(self, simd: S) -> Summary {
+        step_patch(simd, self.co, self.side, self.wave, self.old, &mut Scratch::default())
     }
 }
 
@@ -123,7 +123,7 @@ impl Work for CascadeWork<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run<S: Simd>(self, _: S) {
         cascade(self.lag, self.bend, self.upper);
     }
 }
