@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-pub use pulp::Simd;
+pub use pulp::{Scalar, Simd};
 
 /// A set of vector instructions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

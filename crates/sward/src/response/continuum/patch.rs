@@ -3,9 +3,11 @@
 //! The wave is written so that the compiler vectorises it; `pulp` picks the widest instructions of the machine at run time. Every
 //! level computes the same bits.
 
+use std::ops::Range;
+
 use super::bend;
 use super::coefficients::{Coefficients, RATE_LIMIT};
-use super::propagate::{RowInput, RowOutput, deviation, fade_row, keep_held, largest, limit_row, propagate_row};
+use super::propagate::{Rows, bends, deviation, fade_row, keep_held, largest, limit_row, rates};
 use super::rest::Rest;
 use crate::activation::BAND;
 use crate::interaction::{Contact, ContactEdge, Hit, contact_at};
@@ -83,23 +85,33 @@ pub struct Wave<'a> {
     pub keep: f32,
 }
 
+/// Rows worked on at a time, first their ω, then their β: so few places in memory are read at once, each for long enough that the
+/// processor fetches ahead.
+const BLOCK: usize = 32;
+
+/// The row before, the row itself and the row after of a vector field; x and z, each with a cell of halo at both ends.
+#[derive(Default)]
+struct Ring([[Vec<f32>; 2]; 3]);
+
 /// Working rows of one thread.
 #[derive(Default)]
 pub struct Scratch {
-    /// The row before, the row itself and the row after, plane by plane, each with a cell of halo at both ends.
-    rows: [[Vec<f32>; 4]; 3],
+    bends: Ring,
+    rates: Ring,
     rest: [Vec<f32>; 2],
     columns: [Vec<f32>; 2],
+    /// Of each row of a block, what `rates` leaves for `bends`.
     pace: [Vec<f32>; 2],
     deviations: Vec<u32>,
 }
 
 impl Scratch {
     fn resize(&mut self, cells: usize) {
-        self.rows.iter_mut().flatten().for_each(|row| row.resize(cells + 2, 0.0));
-        self.rest.iter_mut().chain(&mut self.pace).for_each(|row| row.resize(cells, 0.0));
+        self.bends.0.iter_mut().chain(&mut self.rates.0).flatten().for_each(|row| row.resize(cells + 2, 0.0));
+        self.rest.iter_mut().for_each(|row| row.resize(cells, 0.0));
         self.columns.iter_mut().for_each(|column| column.resize(4 * cells, 0.0));
-        self.deviations.resize(cells, 0);
+        self.pace.iter_mut().for_each(|rows| rows.resize(BLOCK * cells, 0.0));
+        self.deviations.resize(BLOCK * cells, 0);
     }
 }
 
@@ -137,33 +149,49 @@ fn fill_columns(wave: &Wave, cells: usize, columns: &mut [Vec<f32>; 2]) {
     }
 }
 
-/// Gathers row `j`, −1 ≤ j ≤ cells, with its halo: of the patch, of an awake neighbour, or at rest. A row is gathered a row ahead of
-/// its use, in the pieces it is used in: otherwise the processor would wait for its own stores.
-#[inline(always)]
-fn fill_row<S: Simd>(wave: &Wave, cells: usize, j: i32, columns: &[Vec<f32>; 2], row: &mut [Vec<f32>; 4]) {
-    let (from, at) = match j {
-        -1 => (wave.neighbours[2], cells - 1),
-        j if j < cells as i32 => (Some(wave.now), j as usize),
-        _ => (wave.neighbours[3], 0),
-    };
-    let Some(from) = from else {
-        let [x, z, wx, wz] = row;
-        wave.rest.row(j, [&mut x[1..=cells], &mut z[1..=cells]]);
-        wx.fill(0.0);
-        wz.fill(0.0);
-        return;
-    };
-    for plane in 0..4 {
-        let (source, row) = (plane_row(from, cells, plane, at), &mut row[plane]);
-        let (pieces, tail) = S::as_simd_f32s(source);
-        let (places, places_tail) = S::as_mut_simd_f32s(&mut row[1..=cells]);
-        for (place, piece) in places.iter_mut().zip(pieces) {
-            *place = *piece;
+impl Ring {
+    /// Gathers row `j`, −1 ≤ j ≤ cells, with its halo as the row after: of the patch, of an awake neighbour, or at rest. `first` is the
+    /// plane of x. A row is gathered a row ahead of its use, in the pieces it is used in: otherwise the processor would wait for its own
+    /// stores.
+    #[inline(always)]
+    fn push<S: Simd>(&mut self, wave: &Wave, cells: usize, j: i32, first: usize, columns: &[Vec<f32>; 2]) {
+        self.0.rotate_left(1);
+        let [_, _, row] = &mut self.0;
+        let (from, at) = match j {
+            -1 => (wave.neighbours[2], cells - 1),
+            j if j < cells as i32 => (Some(wave.now), j as usize),
+            _ => (wave.neighbours[3], 0),
+        };
+        let Some(from) = from else {
+            let [x, z] = row;
+            match first {
+                0 => wave.rest.row(j, [&mut x[1..=cells], &mut z[1..=cells]]),
+                _ => [x, z].into_iter().for_each(|row| row.fill(0.0)),
+            }
+            return;
+        };
+        for axis in 0..2 {
+            let (plane, row) = (first + axis, &mut row[axis]);
+            let (pieces, tail) = S::as_simd_f32s(plane_row(from, cells, plane, at));
+            let (places, places_tail) = S::as_mut_simd_f32s(&mut row[1..=cells]);
+            for (place, piece) in places.iter_mut().zip(pieces) {
+                *place = *piece;
+            }
+            places_tail.copy_from_slice(tail);
+            // Beyond the patch nothing reads the corners.
+            row[0] = columns[0][plane * cells + at];
+            row[cells + 1] = columns[1][plane * cells + at];
         }
-        places_tail.copy_from_slice(tail);
-        // Beyond the patch nothing reads the corners.
-        row[0] = columns[0][plane * cells + at];
-        row[cells + 1] = columns[1][plane * cells + at];
+    }
+
+    #[inline(always)]
+    fn rows(&self, cells: usize) -> Rows<'_> {
+        let [before, middle, after] = &self.0;
+        Rows {
+            before: [&before[0][1..=cells], &before[1][1..=cells]],
+            middle: [&middle[0], &middle[1]],
+            after: [&after[0][1..=cells], &after[1][1..=cells]],
+        }
     }
 }
 
@@ -178,16 +206,25 @@ fn deviations(next: &[&mut [f32]; 4], rest: [&[f32]; 2], bits: &mut [u32]) {
     }
 }
 
-/// Adds a row to a summary: `all` is the largest of its deviations `bits`.
-#[inline(always)]
-fn summarise(all: u32, bits: &[u32], j: usize, summary: &mut [u32; 5]) {
-    let cells = bits.len();
-    let band = if BAND < cells { BAND } else { cells };
-    let (first, last) = (largest(&bits[..band]), largest(&bits[cells - band..]));
-    let low = if j < BAND { all } else { 0 };
-    let high = if j + BAND >= cells { all } else { 0 };
-    for (sum, value) in summary.iter_mut().zip([all, first, last, low, high]) {
-        *sum = if value > *sum { value } else { *sum };
+/// A summary in the making.
+struct Sum {
+    /// Bits of the largest deviations: of the patch, and of its bands along −x, +x, −z, +z.
+    squares: [u32; 5],
+    clamped: u32,
+}
+
+impl Sum {
+    /// Adds row `j`: `all` is the largest of its deviations `bits`.
+    #[inline(always)]
+    fn add(&mut self, all: u32, bits: &[u32], j: usize) {
+        let cells = bits.len();
+        let band = if BAND < cells { BAND } else { cells };
+        let (first, last) = (largest(&bits[..band]), largest(&bits[cells - band..]));
+        let low = if j < BAND { all } else { 0 };
+        let high = if j + BAND >= cells { all } else { 0 };
+        for (sum, value) in self.squares.iter_mut().zip([all, first, last, low, high]) {
+            *sum = if value > *sum { value } else { *sum };
+        }
     }
 }
 
@@ -195,49 +232,88 @@ fn summarise(all: u32, bits: &[u32], j: usize, summary: &mut [u32; 5]) {
 #[inline(always)]
 pub fn step_patch<S: Simd>(simd: S, co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32], scratch: &mut Scratch) -> Summary {
     scratch.resize(cells);
-    let (mut squares, mut clamped) = ([0_u32; 5], 0);
-    let safe = [(wave.safe_limit * wave.safe_limit).to_bits(), (RATE_LIMIT * RATE_LIMIT * 0.9999).to_bits()];
+    let mut sum = Sum { squares: [0; 5], clamped: 0 };
     fill_columns(wave, cells, &mut scratch.columns);
-    fill_row::<S>(wave, cells, -1, &scratch.columns, &mut scratch.rows[1]);
-    fill_row::<S>(wave, cells, 0, &scratch.columns, &mut scratch.rows[2]);
-    for j in 0..cells {
-        scratch.rows.rotate_left(1);
-        let [before, middle, after] = &mut scratch.rows;
-        fill_row::<S>(wave, cells, j as i32 + 1, &scratch.columns, after);
-        let [rest_x, rest_z] = &mut scratch.rest;
+    for j in [-1, 0] {
+        scratch.rates.push::<S>(wave, cells, j, 2, &scratch.columns);
+        scratch.bends.push::<S>(wave, cells, j, 0, &scratch.columns);
+    }
+    let mut block = 0;
+    while block < cells {
+        let rows = block..if block + BLOCK < cells { block + BLOCK } else { cells };
+        block = rows.end;
+        let fastest = block_rates(simd, co, cells, wave, old, scratch, rows.clone());
+        block_bends(simd, co, cells, wave, old, scratch, rows, fastest, &mut sum);
+    }
+    let [largest, borders @ ..] = sum.squares.map(f32::from_bits);
+    Summary { largest, borders, clamped: sum.clamped }
+}
+
+/// ω of some rows. Returns the bits of the largest |ω|² of each.
+#[inline(always)]
+fn block_rates<S: Simd>(
+    simd: S,
+    co: &Coefficients,
+    cells: usize,
+    wave: &Wave,
+    old: &mut [f32],
+    scratch: &mut Scratch,
+    rows: Range<usize>,
+) -> [u32; BLOCK] {
+    let mut fastest = [0; BLOCK];
+    for (k, j) in rows.enumerate() {
+        scratch.rates.push::<S>(wave, cells, j as i32 + 1, 2, &scratch.columns);
+        let Some([_, _, x, z]) = planes_mut(old, cells, j) else { continue };
+        let within = k * cells..(k + 1) * cells;
+        let [keep, spread] = &mut scratch.pace;
+        let pace = [&mut keep[within.clone()], &mut spread[within.clone()]];
+        fastest[k] = rates(simd, co, &scratch.rates.rows(cells), [x, z], pace, &mut scratch.deviations[within]);
+    }
+    fastest
+}
+
+/// β of some rows, then what holds, limits and fades β and ω.
+#[inline(always)]
+fn block_bends<S: Simd>(
+    simd: S,
+    co: &Coefficients,
+    cells: usize,
+    wave: &Wave,
+    old: &mut [f32],
+    scratch: &mut Scratch,
+    rows: Range<usize>,
+    fastest: [u32; BLOCK],
+    sum: &mut Sum,
+) {
+    let safe = [(wave.safe_limit * wave.safe_limit).to_bits(), (RATE_LIMIT * RATE_LIMIT * 0.9999).to_bits()];
+    for (k, j) in rows.enumerate() {
+        scratch.bends.push::<S>(wave, cells, j as i32 + 1, 0, &scratch.columns);
         if j == 0 || !matches!(wave.rest, Rest::Uniform(_)) {
+            let [rest_x, rest_z] = &mut scratch.rest;
             wave.rest.row(j as i32, [rest_x, rest_z]);
         }
         let rest = [&scratch.rest[0][..cells], &scratch.rest[1][..cells]];
+        let within = k * cells..(k + 1) * cells;
+        let pace = [&scratch.pace[0][within.clone()], &scratch.pace[1][within.clone()]];
+        let bits = &mut scratch.deviations[within];
+        let Some([x, z, rate_x, rate_z]) = planes_mut(old, cells, j) else { continue };
+        let [most, mut deviation] = bends(simd, co, &scratch.bends.rows(cells), rest, pace, [&mut *x, &mut *z], bits);
+        let mut next = [x, z, rate_x, rate_z];
         let held = if wave.held.is_empty() { wave.held } else { &wave.held[j * cells..][..cells] };
-        let input = RowInput {
-            middle: middle.each_ref().map(|row| &row[..]),
-            before: before.each_ref().map(|row| &row[1..=cells]),
-            after: after.each_ref().map(|row| &row[1..=cells]),
-            rest,
-            held,
-        };
-        let Some(old) = planes_mut(old, cells, j) else { continue };
-        let [keep, spread] = &mut scratch.pace;
-        let mut output = RowOutput { old, deviations: &mut scratch.deviations, pace: [keep, spread] };
-        let mut peak = propagate_row(simd, co, &input, &mut output);
-        let RowOutput { old: mut next, deviations: bits, .. } = output;
-        keep_held(&input, &mut next);
-        let over = peak.bend > safe[0] || peak.rate > safe[1];
+        keep_held([0, 1, 2, 3].map(|plane| plane_row(wave.now, cells, plane, j)), held, &mut next);
+        let over = most > safe[0] || fastest[k] > safe[1];
         if over {
-            clamped += limit_row(&mut next, wave.ground.slope_row(cells, j), held);
+            sum.clamped += limit_row(&mut next, wave.ground.slope_row(cells, j), held);
         }
         if wave.keep < 1.0 {
             fade_row(&mut next, rest, wave.keep);
         }
         if over || wave.keep < 1.0 || !held.is_empty() {
             deviations(&next, rest, bits);
-            peak.deviation = largest(bits);
+            deviation = largest(bits);
         }
-        summarise(peak.deviation, bits, j, &mut squares);
+        sum.add(deviation, bits, j);
     }
-    let [largest, borders @ ..] = squares.map(f32::from_bits);
-    Summary { largest, borders, clamped }
 }
 
 /// A patch that wakes: both time levels at rest.

@@ -1,65 +1,51 @@
 //! Propagation: bending spreads through the field as a damped wave.
 //!
-//! Chen & Johan 2010, §4.4, eq. 2–6. One row of a patch: reads β and ω of the row and its neighbours now, and the row's own past;
-//! writes the row one step on over its past. Twin: `propagate.wgsl`, which does the same for one cell.
+//! Chen & Johan 2010, §4.4, eq. 2–6. A row of a patch at a time: [`rates`], then [`bends`]. Each reads the row and its neighbours now, and
+//! the row's own past; writes the row one step on over its past. Twin: `propagate.wgsl`, which does both for one cell.
 //! Differs from the paper: restoring term κ, limiter and rescale for stability, rest is (β_eq, 0) (docs/papers.md).
 
 use std::ops::Range;
 
 use super::coefficients::{Coefficients, RATE_LIMIT, bend_limit};
-use crate::lanes::{Number, Simd};
+use crate::lanes::{Number, Scalar, Simd};
 
-/// Rows of β and ω of the present: planes βx, βz, ωx, ωz.
-pub type Planes<'a> = [&'a [f32]; 4];
-
-/// What a row reads.
-pub struct RowInput<'a> {
-    /// The row itself, with one cell of halo on each side: n + 2 values a plane.
-    pub middle: Planes<'a>,
-    /// The row at lower z, n values a plane.
-    pub before: Planes<'a>,
-    /// The row at higher z, n values a plane.
-    pub after: Planes<'a>,
-    /// β_eq of the row, rad: x and z, n values each.
-    pub rest: [&'a [f32]; 2],
-    /// Nonzero where a body holds the cell; empty if none is held.
-    pub held: &'a [u8],
+/// A vector field, β or ω, around a row of n cells; x and z.
+#[derive(Clone, Copy)]
+pub struct Rows<'a> {
+    /// The row at lower z, n values.
+    pub before: [&'a [f32]; 2],
+    /// The row itself, with one cell of halo on each side: n + 2 values.
+    pub middle: [&'a [f32]; 2],
+    /// The row at higher z, n values.
+    pub after: [&'a [f32]; 2],
 }
 
-/// The largest squares met in a row, as bits (squares are not negative, so bits order like numbers and NaN is largest).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RowPeak {
-    /// |β|².
-    pub bend: u32,
-    /// |ω|².
-    pub rate: u32,
-    /// Deviation from rest, see [`deviation`].
-    pub deviation: u32,
+/// Several cells side by side of one plane, and the sum over their four neighbours.
+#[derive(Clone, Copy)]
+struct Around<'a, S: Simd> {
+    left: &'a [S::f32s],
+    here: &'a [S::f32s],
+    right: &'a [S::f32s],
+    before: &'a [S::f32s],
+    after: &'a [S::f32s],
 }
 
-/// What a row writes.
-pub struct RowOutput<'a> {
-    /// The row one step earlier; becomes the row one step on. n values a plane.
-    pub old: [&'a mut [f32]; 4],
-    /// Bits of each cell's [`deviation`], n.
-    pub deviations: &'a mut [u32],
-    /// Working space: what ω means for β in the same step, n values each.
-    pub pace: [&'a mut [f32]; 2],
-}
-
-/// One step of a row before limits, written as what changes: fewer operations and less rounding than (2 − λ)β − (1 − λ)β⁻.
-#[inline(always)]
-pub fn propagate_row<S: Simd>(simd: S, co: &Coefficients, input: &RowInput, output: &mut RowOutput) -> RowPeak {
-    let n = output.deviations.len();
-    let whole = n / S::F32_LANES * S::F32_LANES;
-    let (rate, (bend, deviation)) = (rates(simd, co, input, output, 0..whole), bends(simd, co, input, output, 0..whole));
-    let peak = RowPeak { bend, rate, deviation };
-    if whole == n {
-        return peak;
+impl<'a, S: Simd> Around<'a, S> {
+    #[inline(always)]
+    fn of(rows: &Rows<'a>, axis: usize, span: &Range<usize>) -> Self {
+        let middle = rows.middle[axis];
+        let (left, here, right) = (lanes::<S>(middle, 0, span), lanes::<S>(middle, 1, span), lanes::<S>(middle, 2, span));
+        let (before, after) = (lanes::<S>(rows.before[axis], 0, span), lanes::<S>(rows.after[axis], 0, span));
+        let count = here.len();
+        Self { left: &left[..count], here, right: &right[..count], before: &before[..count], after: &after[..count] }
     }
-    let simd = pulp::Scalar;
-    let (rate, (bend, deviation)) = (rates(simd, co, input, output, whole..n), bends(simd, co, input, output, whole..n));
-    RowPeak { bend: peak.bend.max(bend), rate: peak.rate.max(rate), deviation: peak.deviation.max(deviation) }
+
+    #[inline(always)]
+    fn at(&self, simd: S, k: usize) -> (Number<S>, Number<S>) {
+        let along = Number::of(simd, self.left[k]) + Number::of(simd, self.right[k]);
+        let across = Number::of(simd, self.before[k]) + Number::of(simd, self.after[k]);
+        (Number::of(simd, self.here[k]), along + across)
+    }
 }
 
 /// A span of cells of a row, as many at a time as an instruction takes.
@@ -73,51 +59,50 @@ fn lanes_mut<'a, S: Simd>(row: &'a mut [f32], span: &Range<usize>) -> &'a mut [S
     S::as_mut_simd_f32s(&mut row[span.start..span.end]).0
 }
 
-/// Cells of one plane now, and the sum over their four neighbours.
-#[derive(Clone, Copy)]
-struct Around<'a, S: Simd> {
-    left: &'a [S::f32s],
-    here: &'a [S::f32s],
-    right: &'a [S::f32s],
-    before: &'a [S::f32s],
-    after: &'a [S::f32s],
+/// The cells of a row that fill instructions, and those left over.
+fn spans<S: Simd>(n: usize) -> [Range<usize>; 2] {
+    let whole = n / S::F32_LANES * S::F32_LANES;
+    [0..whole, whole..n]
 }
 
-impl<'a, S: Simd> Around<'a, S> {
-    #[inline(always)]
-    fn of(input: &RowInput<'a>, plane: usize, span: &Range<usize>) -> Self {
-        let middle = input.middle[plane];
-        let (left, here, right) = (lanes::<S>(middle, 0, span), lanes::<S>(middle, 1, span), lanes::<S>(middle, 2, span));
-        let (before, after) = (lanes::<S>(input.before[plane], 0, span), lanes::<S>(input.after[plane], 0, span));
-        let count = here.len();
-        Self { left: &left[..count], here, right: &right[..count], before: &before[..count], after: &after[..count] }
-    }
-
-    #[inline(always)]
-    fn at(&self, simd: S, k: usize) -> (Number<S>, Number<S>) {
-        let along = Number::of(simd, self.left[k]) + Number::of(simd, self.right[k]);
-        let across = Number::of(simd, self.before[k]) + Number::of(simd, self.after[k]);
-        (Number::of(simd, self.here[k]), along + across)
-    }
-}
-
-/// ω of a span of cells, and what it means for β: `pace` receives (1 − λ) c/c⁻ (the rescale of methods §1.3) and c²Δt²/Δx²;
-/// `deviations` receives |ω|². Returns the bits of the largest |ω|².
 #[inline(always)]
-fn rates<S: Simd>(simd: S, co: &Coefficients, input: &RowInput, output: &mut RowOutput, span: Range<usize>) -> u32 {
+fn squared<S: Simd>(x: Number<S>, z: Number<S>) -> Number<S> {
+    x * x + z * z
+}
+
+/// One step of ω of a row, before limits, and what it means for β.
+///
+/// `old` holds ω one step earlier and receives ω one step on; `pace` receives (1 − λ) c/c⁻ (the rescale of methods §1.3) and c²Δt²/Δx²;
+/// `squares` receives the bits of |ω|². n values each. Returns the largest of `squares`.
+#[inline(always)]
+pub fn rates<S: Simd>(simd: S, co: &Coefficients, rows: &Rows, old: [&mut [f32]; 2], pace: [&mut [f32]; 2], squares: &mut [u32]) -> u32 {
+    let [whole, rest] = spans::<S>(squares.len());
+    let ([old_x, old_z], [keep, spread]) = (old, pace);
+    let most = rates_of(simd, co, rows, [old_x, old_z], [keep, spread], squares, whole);
+    if rest.is_empty() { most } else { most.max(rates_of(Scalar, co, rows, [old_x, old_z], [keep, spread], squares, rest)) }
+}
+
+#[inline(always)]
+fn rates_of<S: Simd>(
+    simd: S,
+    co: &Coefficients,
+    rows: &Rows,
+    [old_x, old_z]: [&mut [f32]; 2],
+    [keeps, spreads]: [&mut [f32]; 2],
+    squares: &mut [u32],
+    span: Range<usize>,
+) -> u32 {
     let all = |value: f32| Number::all(simd, value);
     let (base, gain, cap, one) = (all(co.base_speed), all(co.speed_gain), all(co.speed_cap), all(1.0));
     let (keep, spread) = (all(1.0 - co.damping), all(co.spread));
     let here = all(1.0 - 4.0 * co.rate_spread - co.rate_restoring);
     let (change, near) = (all(1.0 - co.rate_damping), all(co.rate_spread));
-    let (x, z) = (Around::<S>::of(input, 2, &span), Around::<S>::of(input, 3, &span));
+    let (x, z) = (Around::<S>::of(rows, 0, &span), Around::<S>::of(rows, 1, &span));
     let count = x.here.len();
-    let [_, _, old_x, old_z] = &mut output.old;
     let (old_x, old_z) = (&mut lanes_mut::<S>(old_x, &span)[..count], &mut lanes_mut::<S>(old_z, &span)[..count]);
-    let [keeps, spreads] = &mut output.pace;
     let (keeps, spreads) = (&mut lanes_mut::<S>(keeps, &span)[..count], &mut lanes_mut::<S>(spreads, &span)[..count]);
-    let squares = &mut S::as_mut_simd_u32s(&mut output.deviations[span]).0[..count];
-    let mut peak = simd.splat_u32s(0);
+    let squares = &mut S::as_mut_simd_u32s(&mut squares[span]).0[..count];
+    let mut most = simd.splat_u32s(0);
     // No closures in here: they would stay outside, compiled for the baseline.
     for k in 0..count {
         let ((now_x, around_x), (now_z, around_z)) = (x.at(simd, k), z.at(simd, k));
@@ -132,45 +117,69 @@ fn rates<S: Simd>(simd: S, co: &Coefficients, input: &RowInput, output: &mut Row
         let next_z = here * now_z + (change * (now_z - past_z) + near * around_z);
         (old_x[k], old_z[k]) = (next_x.values(), next_z.values());
         squares[k] = squared(next_x, next_z).to_bits();
-        peak = simd.max_u32s(peak, squares[k]);
+        most = simd.max_u32s(most, squares[k]);
     }
-    largest(bytemuck::cast_slice(&[peak]))
+    largest(bytemuck::cast_slice(&[most]))
 }
 
-/// β of a span of cells, after [`rates`]. Returns the bits of the largest |β|² and of the largest [`deviation`].
+/// One step of β of a row, before limits, after [`rates`]; written as what changes, with fewer operations and less rounding than
+/// (2 − λ)β − (1 − λ)β⁻.
+///
+/// `rest` is β_eq \[rad\], `pace` as left by [`rates`]; `old` holds β one step earlier and receives β one step on; `deviations` holds
+/// the bits of |ω|² and receives those of each cell's [`deviation`]. n values each. Returns the bits of the largest |β|² and deviation.
 #[inline(always)]
-fn bends<S: Simd>(simd: S, co: &Coefficients, input: &RowInput, output: &mut RowOutput, span: Range<usize>) -> (u32, u32) {
+pub fn bends<S: Simd>(
+    simd: S,
+    co: &Coefficients,
+    rows: &Rows,
+    rest: [&[f32]; 2],
+    pace: [&[f32]; 2],
+    old: [&mut [f32]; 2],
+    deviations: &mut [u32],
+) -> [u32; 2] {
+    let [whole, left_over] = spans::<S>(deviations.len());
+    let [old_x, old_z] = old;
+    let most = bends_of(simd, co, rows, rest, pace, [old_x, old_z], deviations, whole);
+    if left_over.is_empty() {
+        return most;
+    }
+    let others = bends_of(Scalar, co, rows, rest, pace, [old_x, old_z], deviations, left_over);
+    [most[0].max(others[0]), most[1].max(others[1])]
+}
+
+#[inline(always)]
+fn bends_of<S: Simd>(
+    simd: S,
+    co: &Coefficients,
+    rows: &Rows,
+    rest: [&[f32]; 2],
+    pace: [&[f32]; 2],
+    [old_x, old_z]: [&mut [f32]; 2],
+    deviations: &mut [u32],
+    span: Range<usize>,
+) -> [u32; 2] {
     let (restoring, four) = (Number::all(simd, co.restoring), Number::all(simd, 4.0));
-    let (x, z) = (Around::<S>::of(input, 0, &span), Around::<S>::of(input, 1, &span));
+    let (x, z) = (Around::<S>::of(rows, 0, &span), Around::<S>::of(rows, 1, &span));
     let count = x.here.len();
-    let [rest_x, rest_z] = input.rest.map(|row| &lanes::<S>(row, 0, &span)[..count]);
-    let [old_x, old_z, _, _] = &mut output.old;
+    let (calm_x, calm_z) = (&lanes::<S>(rest[0], 0, &span)[..count], &lanes::<S>(rest[1], 0, &span)[..count]);
+    let (keeps, spreads) = (&lanes::<S>(pace[0], 0, &span)[..count], &lanes::<S>(pace[1], 0, &span)[..count]);
     let (old_x, old_z) = (&mut lanes_mut::<S>(old_x, &span)[..count], &mut lanes_mut::<S>(old_z, &span)[..count]);
-    let [keeps, spreads] = &output.pace;
-    let (keeps, spreads) = (&lanes::<S>(keeps, 0, &span)[..count], &lanes::<S>(spreads, 0, &span)[..count]);
-    let deviations = &mut S::as_mut_simd_u32s(&mut output.deviations[span]).0[..count];
-    let mut peaks = [simd.splat_u32s(0); 2];
+    let deviations = &mut S::as_mut_simd_u32s(&mut deviations[span]).0[..count];
+    let (mut most, mut farthest) = (simd.splat_u32s(0), simd.splat_u32s(0));
     for k in 0..count {
         let ((now_x, around_x), (now_z, around_z)) = (x.at(simd, k), z.at(simd, k));
-        let (calm_x, calm_z) = (Number::of(simd, rest_x[k]), Number::of(simd, rest_z[k]));
+        let (calm_x, calm_z) = (Number::of(simd, calm_x[k]), Number::of(simd, calm_z[k]));
         let (keep, spread) = (Number::of(simd, keeps[k]), Number::of(simd, spreads[k]));
         let pulled_x = spread * (around_x - four * now_x) - restoring * (now_x - calm_x);
         let pulled_z = spread * (around_z - four * now_z) - restoring * (now_z - calm_z);
         let next_x = now_x + (keep * (now_x - Number::of(simd, old_x[k])) + pulled_x);
         let next_z = now_z + (keep * (now_z - Number::of(simd, old_z[k])) + pulled_z);
         (old_x[k], old_z[k]) = (next_x.values(), next_z.values());
-        let away = squared(next_x - calm_x, next_z - calm_z);
-        peaks[0] = simd.max_u32s(peaks[0], squared(next_x, next_z).to_bits());
-        deviations[k] = simd.max_u32s(deviations[k], away.to_bits());
-        peaks[1] = simd.max_u32s(peaks[1], deviations[k]);
+        most = simd.max_u32s(most, squared(next_x, next_z).to_bits());
+        deviations[k] = simd.max_u32s(deviations[k], squared(next_x - calm_x, next_z - calm_z).to_bits());
+        farthest = simd.max_u32s(farthest, deviations[k]);
     }
-    let [bend, deviation] = peaks.map(|peak| largest(bytemuck::cast_slice(&[peak])));
-    (bend, deviation)
-}
-
-#[inline(always)]
-fn squared<S: Simd>(x: Number<S>, z: Number<S>) -> Number<S> {
-    x * x + z * z
+    [largest(bytemuck::cast_slice(&[most])), largest(bytemuck::cast_slice(&[farthest]))]
 }
 
 /// The largest of some numbers, 0 of none.
@@ -183,12 +192,12 @@ pub(super) fn largest(values: &[u32]) -> u32 {
     most
 }
 
-/// Held cells keep β and ω (Dirichlet cells of the wave).
+/// Held cells keep β and ω (Dirichlet cells of the wave): `now` is the row as it was, `held` is nonzero where a body holds a cell.
 #[inline(always)]
-pub fn keep_held(input: &RowInput, next: &mut [&mut [f32]; 4]) {
-    for (plane, now) in next.iter_mut().zip(input.middle) {
-        for (i, held) in input.held.iter().enumerate() {
-            plane[i] = if *held != 0 { now[i + 1] } else { plane[i] };
+pub fn keep_held(now: [&[f32]; 4], held: &[u8], next: &mut [&mut [f32]; 4]) {
+    for (plane, now) in next.iter_mut().zip(now) {
+        for (i, held) in held.iter().enumerate() {
+            plane[i] = if *held != 0 { now[i] } else { plane[i] };
         }
     }
 }
