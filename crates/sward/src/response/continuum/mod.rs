@@ -22,4 +22,4 @@ pub use lag::{LagCoefficients, cascade, from_history, look_up_offset};
 pub use patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
 pub use propagate::{Rows, bends, deviation, fade_row, keep_held, limit_row, rates};
 pub use rest::{NODE_CELLS, Rest};
-pub use step::{ground_of, lag_planes, lags, step};
+pub use step::{Stage, ground_of, lag_planes, lags, step};
