@@ -8,12 +8,12 @@ use std::hint::black_box;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use sward::geometry::billboard::spine;
 use sward::interaction::contact_at;
-use sward::lanes::{Lanes, Work};
+use sward::lanes::{Lanes, Simd, Work};
 use sward::model::NoAssets;
 use sward::placement::plant;
 use sward::plan::StandPlan;
 use sward::response::StandModel;
-use sward::response::continuum::{Rest, RowInput, cascade, contact, limit_row, propagate_row};
+use sward::response::continuum::{Rest, Rows, bends, cascade, contact, limit_row, rates};
 use sward::scene::Scene;
 use sward::world::World;
 
@@ -51,12 +51,16 @@ impl Work for Wave<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run<S: Simd>(self, simd: S) {
+        let co = &self.stand.coefficients;
+        let ([mut keep, mut spread], mut squares) = ([[0.0; CELLS]; 2], [0; CELLS]);
         for first in (0..AREA).step_by(CELLS) {
-            let row = |length: usize| [0, 1, 2, 3].map(|plane| &self.now[plane][first..first + length]);
-            let rest = [0, 1].map(|axis| &self.rest[axis][first..first + CELLS]);
-            let input = RowInput { middle: row(CELLS + 2), before: row(CELLS), after: row(CELLS), rest, held: &[] };
-            black_box(propagate_row(&self.stand.coefficients, &input, &mut rows(self.old, first)));
+            let row = |plane: usize, length: usize| [&self.now[plane][first..first + length], &self.now[plane + 1][first..first + length]];
+            let around = |plane: usize| Rows { before: row(plane, CELLS), middle: row(plane, CELLS + 2), after: row(plane, CELLS) };
+            let rest = [&self.rest[0][first..first + CELLS], &self.rest[1][first..first + CELLS]];
+            let [x, z, rate_x, rate_z] = rows(self.old, first);
+            black_box(rates(simd, co, &around(2), [rate_x, rate_z], [&mut keep, &mut spread], &mut squares));
+            black_box(bends(simd, co, &around(0), rest, [&keep, &spread], [x, z], &mut squares));
         }
     }
 }
@@ -71,7 +75,7 @@ impl Work for Limits<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run<S: Simd>(self, _: S) {
         for first in (0..AREA).step_by(CELLS) {
             let slope = [0, 1].map(|axis| &self.slope[axis][first..first + CELLS]);
             black_box(limit_row(&mut rows(self.next, first), slope, &[]));
@@ -90,7 +94,7 @@ impl Work for Upper<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run<S: Simd>(self, _: S) {
         cascade(&self.stand.lag, [&self.bend[0][..AREA], &self.bend[1][..AREA]], self.upper);
     }
 }
@@ -110,7 +114,7 @@ fn response(criterion: &mut Criterion) {
     let (now, mut old) = (planes(0.0), planes(0.1));
     let pair = |phase: f32| [smooth(AREA, phase), smooth(AREA, phase + 1.0)];
     let (rest, slope) = (pair(0.5), pair(0.7));
-    group.bench_function("propagate_row", |bencher| {
+    group.bench_function("rates and bends", |bencher| {
         bencher.iter(|| Lanes::default().run(Wave { stand, now: &now, rest: &rest, old: &mut old }));
     });
     let mut next = planes(0.2);

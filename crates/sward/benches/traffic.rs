@@ -1,9 +1,11 @@
 //! How near the CPU step comes to the speed of memory: cells/s × 48 B against a triad (12 B an element) in the same process, on the
 //! same threads, in ABBA order. 225 patches of 128 × 128 cells on slopes, no contact, no wind. `cargo bench --bench traffic`.
 
-use std::hint::black_box;
-use std::time::Instant;
+mod measure;
 
+use std::hint::black_box;
+
+use measure::{PAIRS, median, pair, seconds};
 use rayon::prelude::*;
 use sward::lanes::Lanes;
 use sward::model::NoAssets;
@@ -16,7 +18,6 @@ use sward::world::World;
 
 const SIDE: i32 = 15;
 const CELLS: usize = 128;
-const PAIRS: usize = 24;
 /// 64 MiB an array.
 const TRIAD: usize = 1 << 24;
 
@@ -64,7 +65,7 @@ impl Field {
     }
 
     fn step(&mut self, lanes: Lanes) {
-        black_box(continuum::step(&self.world.model.terrain, &self.world.model.stands[0], &self.plan, &mut self.cells, lanes));
+        black_box(continuum::step(&self.world.model.terrain, &self.world.model.stands[0], &self.plan, &mut self.cells, lanes, &mut |_| ()));
     }
 }
 
@@ -76,34 +77,19 @@ fn triad(a: &mut [f32], b: &[f32], c: &[f32]) {
     });
 }
 
-fn seconds(work: impl FnOnce()) -> f64 {
-    let begun = Instant::now();
-    work();
-    begun.elapsed().as_secs_f64()
-}
-
-fn median(values: &mut [f64]) -> [f64; 3] {
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    // 95 % interval of the median by ranks.
-    let half = (0.98 * (n as f64).sqrt()).round() as usize;
-    [values[(n / 2).saturating_sub(half)], values[n / 2], values[(n / 2 + half).min(n - 1)]]
-}
-
 fn main() {
     let mut field = Field::new();
     let (mut a, b, c) = (vec![0.0_f32; TRIAD], vec![1.0_f32; TRIAD], vec![2.0_f32; TRIAD]);
     let cells = (SIDE * SIDE) as f64 * (CELLS * CELLS) as f64;
     for lanes in Lanes::available() {
         let (mut ratios, mut steps, mut triads) = (Vec::new(), Vec::new(), Vec::new());
-        for pair in 0..PAIRS {
-            let mut step = || 48.0 * cells / seconds(|| field.step(lanes));
-            let mut bare = || 12.0 * TRIAD as f64 / seconds(|| triad(black_box(&mut a), &b, &c));
-            let [x, y, z, w] = if pair % 2 == 0 { [step(), bare(), bare(), step()] } else { [bare(), step(), step(), bare()] };
-            let (s, t) = if pair % 2 == 0 { (x + w, y + z) } else { (y + z, x + w) };
-            ratios.push(s / t);
-            steps.push(0.5 * s);
-            triads.push(0.5 * t);
+        for number in 0..PAIRS {
+            let bare = || seconds(|| triad(black_box(&mut a), &b, &c));
+            let [step, bare] = pair(number, || seconds(|| field.step(lanes)), bare);
+            let (step, bare) = (2.0 * 48.0 * cells / step, 2.0 * 12.0 * TRIAD as f64 / bare);
+            ratios.push(step / bare);
+            steps.push(step);
+            triads.push(bare);
         }
         let ([low, middle, high], [_, step, _], [_, bare, _]) = (median(&mut ratios), median(&mut steps), median(&mut triads));
         println!(

@@ -134,10 +134,16 @@ impl World {
 
     /// The response of every stand on the CPU, between [`World::plan`] and [`World::finish`].
     pub fn respond(&mut self, plan: &Plan) -> Vec<Vec<(PatchKey, Summary)>> {
+        self.respond_in_stages(plan, &mut |_| ())
+    }
+
+    /// As [`World::respond`]; `ended` hears of each stage that has just ended, for callers with a clock.
+    pub fn respond_in_stages(&mut self, plan: &Plan, ended: &mut dyn FnMut(continuum::Stage)) -> Vec<Vec<(PatchKey, Summary)>> {
         let mut summaries = Vec::new();
         for ((stand, plan_of), state) in self.model.stands.iter().zip(&plan.stands).zip(&mut self.state.stands) {
-            summaries.push(continuum::step(&self.model.terrain, stand, plan_of, &mut state.cells, self.lanes));
+            summaries.push(continuum::step(&self.model.terrain, stand, plan_of, &mut state.cells, self.lanes, ended));
             continuum::lags(stand, plan_of, &mut state.cells, plan.step, self.lanes);
+            ended(continuum::Stage::Lags);
         }
         summaries
     }

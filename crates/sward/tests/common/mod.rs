@@ -70,7 +70,7 @@ impl Torus {
 
     /// One step.
     pub(crate) fn step(&mut self) -> Summary {
-        continuum::step(&self.model.terrain, &self.stand, &self.plan, &mut self.cells, Lanes::default())[0].1
+        continuum::step(&self.model.terrain, &self.stand, &self.plan, &mut self.cells, Lanes::default(), &mut |_| ())[0].1
     }
 
     /// One plane of the present.

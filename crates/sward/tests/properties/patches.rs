@@ -77,7 +77,7 @@ impl Sheet {
         let middle = f64::from(self.stand.cells) * f64::from(self.patches) * self.stand.spacing / 2.0;
         for step in 0..STEPS {
             let plan = self.plan(step, &bodies(step, middle), joined);
-            continuum::step(&self.model.terrain, &self.stand, &plan, &mut self.cells, Lanes::default());
+            continuum::step(&self.model.terrain, &self.stand, &plan, &mut self.cells, Lanes::default(), &mut |_| ());
         }
         let (n, side) = (self.stand.cells as usize, (self.stand.cells as i32 * self.patches) as usize);
         let mut square = Vec::with_capacity(4 * side * side);
@@ -144,7 +144,7 @@ fn random_states_step_alike_in_one_grid_and_in_patches() {
             sheet.cells.old.push(level(1 << 20).collect());
             sheet.cells.ground.push(Default::default());
         }
-        continuum::step(&sheet.model.terrain, &sheet.stand, &plan, &mut sheet.cells, Lanes::default());
+        continuum::step(&sheet.model.terrain, &sheet.stand, &plan, &mut sheet.cells, Lanes::default(), &mut |_| ());
         let mut square = vec![0.0_f32; 4 * whole * whole];
         for (at, out) in square.iter_mut().enumerate() {
             let (plane, i, j) = (at / (whole * whole), at % whole, at / whole % whole);

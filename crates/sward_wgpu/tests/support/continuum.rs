@@ -1,10 +1,11 @@
 //! Twins of the continuum kernels: bend, propagate, limit, fade, rest and lags.
 
 use sward::interaction::{self, Hit};
+use sward::lanes::Scalar;
 use sward::math;
 use sward::response::continuum::{
-    Coefficients, LagCoefficients, Rest, RowInput, WGSL, cascade, contact, deviation, fade_row, from_history, limit_row, look_up_offset,
-    propagate_row,
+    Coefficients, LagCoefficients, Rest, Rows, WGSL, bends, cascade, contact, deviation, fade_row, from_history, limit_row, look_up_offset,
+    rates,
 };
 use sward::scene::Species;
 use sward_wgpu::compare::Tolerance;
@@ -102,15 +103,15 @@ pub(crate) fn propagate(gpu: &Gpu) -> Verdict {
         input.extend(random.words);
         let [now, old, left, right, before, after] = cells;
         let middle = [0, 1, 2, 3].map(|k| [left[k], now[k], right[k]]);
-        let row = RowInput {
-            middle: [&middle[0], &middle[1], &middle[2], &middle[3]],
-            before: [&before[..1], &before[1..2], &before[2..3], &before[3..]],
-            after: [&after[..1], &after[1..2], &after[2..3], &after[3..]],
-            rest: [&rest[..1], &rest[1..]],
-            held: &[],
+        let around = |x: usize, z: usize| Rows {
+            before: [&before[x..=x], &before[z..=z]],
+            middle: [&middle[x], &middle[z]],
+            after: [&after[x..=x], &after[z..=z]],
         };
         let [mut a, mut b, mut c, mut d] = old.map(|value| [value]);
-        propagate_row(&co, &row, &mut [&mut a, &mut b, &mut c, &mut d]);
+        let ([mut keep, mut spread], mut square) = ([[0.0]; 2], [0]);
+        rates(Scalar, &co, &around(2, 3), [&mut c, &mut d], [&mut keep, &mut spread], &mut square);
+        bends(Scalar, &co, &around(0, 1), [&rest[..1], &rest[1..]], [&keep, &spread], [&mut a, &mut b], &mut square);
         bits([a[0], b[0], c[0], d[0]])
     };
     let host = format!(

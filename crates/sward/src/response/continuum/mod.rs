@@ -20,6 +20,6 @@ pub use bend::{Held, contact, push};
 pub use coefficients::{Coefficients, HALF_PI, RATE_LIMIT, REST, SMALLEST_LIMIT, bend_limit, safe_limit};
 pub use lag::{LagCoefficients, cascade, from_history, look_up_offset};
 pub use patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
-pub use propagate::{Planes, RowInput, RowPeak, deviation, fade_row, keep_held, limit_row, propagate_row};
+pub use propagate::{Rows, bends, deviation, fade_row, keep_held, limit_row, rates};
 pub use rest::{NODE_CELLS, Rest};
-pub use step::{ground_of, lag_planes, lags, step};
+pub use step::{Stage, ground_of, lag_planes, lags, step};

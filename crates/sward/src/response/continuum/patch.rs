@@ -3,12 +3,15 @@
 //! The wave is written so that the compiler vectorises it; `pulp` picks the widest instructions of the machine at run time. Every
 //! level computes the same bits.
 
+use std::ops::Range;
+
 use super::bend;
 use super::coefficients::{Coefficients, RATE_LIMIT};
-use super::propagate::{RowInput, RowPeak, deviation, fade_row, keep_held, largest, limit_row, propagate_row};
+use super::propagate::{Rows, bends, deviation, fade_row, keep_held, largest, limit_row, rates};
 use super::rest::Rest;
 use crate::activation::BAND;
-use crate::interaction::{Contact, ContactEdge, contact_at};
+use crate::interaction::{Contact, ContactEdge, Hit, contact_at};
+use crate::lanes::Simd;
 use crate::state::{Ground, Summary};
 
 /// Contacts that reach a patch.
@@ -30,34 +33,38 @@ pub fn touch_patch(
     held: &mut [u8],
 ) {
     let area = cells * cells;
-    let side = cells as i32;
-    let clip = |low: i32, size: i32| (low.clamp(0, side), low.saturating_add(size).clamp(0, side));
-    let bounds = by.contacts.iter().map(|(contact, corner)| (clip(corner[0], contact.size[0]), clip(corner[1], contact.size[1])));
-    let Some(((x0, x1), (z0, z1))) = bounds.reduce(|a, b| {
-        let joined = |p: (i32, i32), q: (i32, i32)| (p.0.min(q.0), p.1.max(q.1));
-        (joined(a.0, b.0), joined(a.1, b.1))
-    }) else {
-        return;
-    };
-    for j in z0..z1 {
-        for i in x0..x1 {
-            let cell = j as usize * cells + i as usize;
-            let hits = by.contacts.iter().filter_map(|(contact, corner)| {
-                let edges = &by.edges[contact.edge_first as usize..][..contact.edge_count as usize];
-                let (u, v) = (i - corner[0], j - corner[1]);
-                let covered = u >= 0 && v >= 0 && u < contact.size[0] && v < contact.size[1];
-                if covered { contact_at(contact, edges, [u, v], ground.height(cells, cell), co.plant_height) } else { None }
-            });
-            let bend = [now[cell], now[area + cell]];
-            if let Some(next) = bend::contact(co, bend, ground.slope(cells, cell), hits) {
-                held[cell] = 1;
-                for (plane, value) in [next.bend[0], next.bend[1], next.rate[0], next.rate[1]].into_iter().enumerate() {
-                    now[plane * area + cell] = value;
-                    old[plane * area + cell] = value;
-                }
+    let mut hits = hits_of(co, cells, by, ground);
+    // Stable: hits of a cell stay in body order.
+    hits.sort_by_key(|(cell, _)| *cell);
+    for same in hits.chunk_by(|a, b| a.0 == b.0) {
+        let cell = same[0].0;
+        let bend = [now[cell], now[area + cell]];
+        if let Some(next) = bend::contact(co, bend, ground.slope(cells, cell), same.iter().map(|(_, hit)| *hit)) {
+            held[cell] = 1;
+            for (plane, value) in [next.bend[0], next.bend[1], next.rate[0], next.rate[1]].into_iter().enumerate() {
+                now[plane * area + cell] = value;
+                old[plane * area + cell] = value;
             }
         }
     }
+}
+
+/// Cells that bodies reach, body by body: only those within a footprint's own bounds are looked at.
+fn hits_of(co: &Coefficients, cells: usize, by: &PatchContacts, ground: &Ground) -> Vec<(usize, Hit)> {
+    let side = cells as i32;
+    let within = |low: i32, size: i32| low.clamp(0, side)..low.saturating_add(size).clamp(0, side);
+    let mut hits = Vec::new();
+    for (contact, corner) in by.contacts {
+        let edges = &by.edges[contact.edge_first as usize..][..contact.edge_count as usize];
+        for j in within(corner[1], contact.size[1]) {
+            for i in within(corner[0], contact.size[0]) {
+                let cell = j as usize * cells + i as usize;
+                let hit = contact_at(contact, edges, [i - corner[0], j - corner[1]], ground.height(cells, cell), co.plant_height);
+                hits.extend(hit.map(|hit| (cell, hit)));
+            }
+        }
+    }
+    hits
 }
 
 /// What the wave of one patch reads.
@@ -78,23 +85,33 @@ pub struct Wave<'a> {
     pub keep: f32,
 }
 
+/// Rows worked on at a time, first their ω, then their β: so few places in memory are read at once, each for long enough that the
+/// processor fetches ahead.
+const BLOCK: usize = 32;
+
+/// The row before, the row itself and the row after of a vector field; x and z, each with a cell of halo at both ends.
+#[derive(Default)]
+struct Ring([[Vec<f32>; 2]; 3]);
+
 /// Working rows of one thread.
 #[derive(Default)]
 pub struct Scratch {
-    middle: [Vec<f32>; 4],
-    outside: [Vec<f32>; 4],
+    bends: Ring,
+    rates: Ring,
     rest: [Vec<f32>; 2],
     columns: [Vec<f32>; 2],
+    /// Of each row of a block, what `rates` leaves for `bends`.
+    pace: [Vec<f32>; 2],
     deviations: Vec<u32>,
 }
 
 impl Scratch {
     fn resize(&mut self, cells: usize) {
-        self.middle.iter_mut().for_each(|row| row.resize(cells + 2, 0.0));
-        self.outside.iter_mut().for_each(|row| row.resize(cells, 0.0));
+        self.bends.0.iter_mut().chain(&mut self.rates.0).flatten().for_each(|row| row.resize(cells + 2, 0.0));
         self.rest.iter_mut().for_each(|row| row.resize(cells, 0.0));
         self.columns.iter_mut().for_each(|column| column.resize(4 * cells, 0.0));
-        self.deviations.resize(cells, 0);
+        self.pace.iter_mut().for_each(|rows| rows.resize(BLOCK * cells, 0.0));
+        self.deviations.resize(BLOCK * cells, 0);
     }
 }
 
@@ -104,27 +121,9 @@ fn plane_row(patch: &[f32], cells: usize, plane: usize, row: usize) -> &[f32] {
 }
 
 #[inline(always)]
-fn planes(patch: &[f32], cells: usize, row: usize) -> [&[f32]; 4] {
-    [plane_row(patch, cells, 0, row), plane_row(patch, cells, 1, row), plane_row(patch, cells, 2, row), plane_row(patch, cells, 3, row)]
-}
-
-#[inline(always)]
 fn planes_mut(patch: &mut [f32], cells: usize, row: usize) -> Option<[&mut [f32]; 4]> {
     let mut rows = patch.chunks_exact_mut(cells).skip(row).step_by(cells);
     Some([rows.next()?, rows.next()?, rows.next()?, rows.next()?])
-}
-
-/// The row beyond the patch: of the awake neighbour, or at rest.
-fn outside<'a>(wave: &Wave<'a>, side: usize, cells: usize, rows: &'a mut [Vec<f32>; 4]) -> [&'a [f32]; 4] {
-    let (neighbour_row, j) = if side == 2 { (cells - 1, -1) } else { (0, cells as i32) };
-    if let Some(neighbour) = wave.neighbours[side] {
-        return planes(neighbour, cells, neighbour_row);
-    }
-    let [x, z, wx, wz] = rows;
-    wave.rest.row(j, [x, z]);
-    wx.fill(0.0);
-    wz.fill(0.0);
-    [x, z, wx, wz]
 }
 
 /// The halo columns at −x and +x, planes of `cells` values: of the awake neighbours, or at rest. Gathered at once, since one by one
@@ -150,13 +149,49 @@ fn fill_columns(wave: &Wave, cells: usize, columns: &mut [Vec<f32>; 2]) {
     }
 }
 
-#[inline(always)]
-fn fill_middle(wave: &Wave, cells: usize, j: usize, columns: &[Vec<f32>; 2], middle: &mut [Vec<f32>; 4]) {
-    for plane in 0..4 {
-        let row = &mut middle[plane];
-        row[0] = columns[0][plane * cells + j];
-        row[1..=cells].copy_from_slice(plane_row(wave.now, cells, plane, j));
-        row[cells + 1] = columns[1][plane * cells + j];
+impl Ring {
+    /// Gathers row `j`, −1 ≤ j ≤ cells, with its halo as the row after: of the patch, of an awake neighbour, or at rest. `first` is the
+    /// plane of x. A row is gathered a row ahead of its use, in the pieces it is used in: otherwise the processor would wait for its own
+    /// stores.
+    #[inline(always)]
+    fn push<S: Simd>(&mut self, wave: &Wave, cells: usize, j: i32, first: usize, columns: &[Vec<f32>; 2]) {
+        self.0.rotate_left(1);
+        let [_, _, row] = &mut self.0;
+        let (from, at) = match j {
+            -1 => (wave.neighbours[2], cells - 1),
+            j if j < cells as i32 => (Some(wave.now), j as usize),
+            _ => (wave.neighbours[3], 0),
+        };
+        let Some(from) = from else {
+            let [x, z] = row;
+            match first {
+                0 => wave.rest.row(j, [&mut x[1..=cells], &mut z[1..=cells]]),
+                _ => [x, z].into_iter().for_each(|row| row.fill(0.0)),
+            }
+            return;
+        };
+        for axis in 0..2 {
+            let (plane, row) = (first + axis, &mut row[axis]);
+            let (pieces, tail) = S::as_simd_f32s(plane_row(from, cells, plane, at));
+            let (places, places_tail) = S::as_mut_simd_f32s(&mut row[1..=cells]);
+            for (place, piece) in places.iter_mut().zip(pieces) {
+                *place = *piece;
+            }
+            places_tail.copy_from_slice(tail);
+            // Beyond the patch nothing reads the corners.
+            row[0] = columns[0][plane * cells + at];
+            row[cells + 1] = columns[1][plane * cells + at];
+        }
+    }
+
+    #[inline(always)]
+    fn rows(&self, cells: usize) -> Rows<'_> {
+        let [before, middle, after] = &self.0;
+        Rows {
+            before: [&before[0][1..=cells], &before[1][1..=cells]],
+            middle: [&middle[0], &middle[1]],
+            after: [&after[0][1..=cells], &after[1][1..=cells]],
+        }
     }
 }
 
@@ -171,55 +206,114 @@ fn deviations(next: &[&mut [f32]; 4], rest: [&[f32]; 2], bits: &mut [u32]) {
     }
 }
 
-#[inline(always)]
-fn summarise(bits: &[u32], j: usize, summary: &mut [u32; 5]) {
-    let cells = bits.len();
-    let band = if BAND < cells { BAND } else { cells };
-    let all = largest(bits);
-    let (first, last) = (largest(&bits[..band]), largest(&bits[cells - band..]));
-    let low = if j < BAND { all } else { 0 };
-    let high = if j + BAND >= cells { all } else { 0 };
-    for (sum, value) in summary.iter_mut().zip([all, first, last, low, high]) {
-        *sum = if value > *sum { value } else { *sum };
+/// A summary in the making.
+struct Sum {
+    /// Bits of the largest deviations: of the patch, and of its bands along −x, +x, −z, +z.
+    squares: [u32; 5],
+    clamped: u32,
+}
+
+impl Sum {
+    /// Adds row `j`: `all` is the largest of its deviations `bits`.
+    #[inline(always)]
+    fn add(&mut self, all: u32, bits: &[u32], j: usize) {
+        let cells = bits.len();
+        let band = if BAND < cells { BAND } else { cells };
+        let (first, last) = (largest(&bits[..band]), largest(&bits[cells - band..]));
+        let low = if j < BAND { all } else { 0 };
+        let high = if j + BAND >= cells { all } else { 0 };
+        for (sum, value) in self.squares.iter_mut().zip([all, first, last, low, high]) {
+            *sum = if value > *sum { value } else { *sum };
+        }
     }
 }
 
 /// One substep of the wave over one patch: `old` holds the past and receives the future.
 #[inline(always)]
-pub fn step_patch(co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32], scratch: &mut Scratch) -> Summary {
+pub fn step_patch<S: Simd>(simd: S, co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32], scratch: &mut Scratch) -> Summary {
     scratch.resize(cells);
-    let (mut squares, mut clamped) = ([0_u32; 5], 0);
-    let safe = [(wave.safe_limit * wave.safe_limit).to_bits(), (RATE_LIMIT * RATE_LIMIT * 0.9999).to_bits()];
+    let mut sum = Sum { squares: [0; 5], clamped: 0 };
     fill_columns(wave, cells, &mut scratch.columns);
-    for j in 0..cells {
-        fill_middle(wave, cells, j, &scratch.columns, &mut scratch.middle);
-        let [rest_x, rest_z] = &mut scratch.rest;
-        wave.rest.row(j as i32, [rest_x, rest_z]);
+    for j in [-1, 0] {
+        scratch.rates.push::<S>(wave, cells, j, 2, &scratch.columns);
+        scratch.bends.push::<S>(wave, cells, j, 0, &scratch.columns);
+    }
+    let mut block = 0;
+    while block < cells {
+        let rows = block..if block + BLOCK < cells { block + BLOCK } else { cells };
+        block = rows.end;
+        let fastest = block_rates(simd, co, cells, wave, old, scratch, rows.clone());
+        block_bends(simd, co, cells, wave, old, scratch, rows, fastest, &mut sum);
+    }
+    let [largest, borders @ ..] = sum.squares.map(f32::from_bits);
+    Summary { largest, borders, clamped: sum.clamped }
+}
+
+/// ω of some rows. Returns the bits of the largest |ω|² of each.
+#[inline(always)]
+fn block_rates<S: Simd>(
+    simd: S,
+    co: &Coefficients,
+    cells: usize,
+    wave: &Wave,
+    old: &mut [f32],
+    scratch: &mut Scratch,
+    rows: Range<usize>,
+) -> [u32; BLOCK] {
+    let mut fastest = [0; BLOCK];
+    for (k, j) in rows.enumerate() {
+        scratch.rates.push::<S>(wave, cells, j as i32 + 1, 2, &scratch.columns);
+        let Some([_, _, x, z]) = planes_mut(old, cells, j) else { continue };
+        let within = k * cells..(k + 1) * cells;
+        let [keep, spread] = &mut scratch.pace;
+        let pace = [&mut keep[within.clone()], &mut spread[within.clone()]];
+        fastest[k] = rates(simd, co, &scratch.rates.rows(cells), [x, z], pace, &mut scratch.deviations[within]);
+    }
+    fastest
+}
+
+/// β of some rows, then what holds, limits and fades β and ω.
+#[inline(always)]
+fn block_bends<S: Simd>(
+    simd: S,
+    co: &Coefficients,
+    cells: usize,
+    wave: &Wave,
+    old: &mut [f32],
+    scratch: &mut Scratch,
+    rows: Range<usize>,
+    fastest: [u32; BLOCK],
+    sum: &mut Sum,
+) {
+    let safe = [(wave.safe_limit * wave.safe_limit).to_bits(), (RATE_LIMIT * RATE_LIMIT * 0.9999).to_bits()];
+    for (k, j) in rows.enumerate() {
+        scratch.bends.push::<S>(wave, cells, j as i32 + 1, 0, &scratch.columns);
+        if j == 0 || !matches!(wave.rest, Rest::Uniform(_)) {
+            let [rest_x, rest_z] = &mut scratch.rest;
+            wave.rest.row(j as i32, [rest_x, rest_z]);
+        }
         let rest = [&scratch.rest[0][..cells], &scratch.rest[1][..cells]];
-        let (first, last) = (j == 0, j + 1 == cells);
-        let (before, after) = match (first, last) {
-            (true, _) => (outside(wave, 2, cells, &mut scratch.outside), planes(wave.now, cells, j + 1)),
-            (_, true) => (planes(wave.now, cells, j - 1), outside(wave, 3, cells, &mut scratch.outside)),
-            _ => (planes(wave.now, cells, j - 1), planes(wave.now, cells, j + 1)),
-        };
+        let within = k * cells..(k + 1) * cells;
+        let pace = [&scratch.pace[0][within.clone()], &scratch.pace[1][within.clone()]];
+        let bits = &mut scratch.deviations[within];
+        let Some([x, z, rate_x, rate_z]) = planes_mut(old, cells, j) else { continue };
+        let [most, mut deviation] = bends(simd, co, &scratch.bends.rows(cells), rest, pace, [&mut *x, &mut *z], bits);
+        let mut next = [x, z, rate_x, rate_z];
         let held = if wave.held.is_empty() { wave.held } else { &wave.held[j * cells..][..cells] };
-        let [a, b, c, d] = &scratch.middle;
-        let middle = [&a[..], &b[..], &c[..], &d[..]];
-        let input = RowInput { middle, before, after, rest, held };
-        let Some(mut next) = planes_mut(old, cells, j) else { continue };
-        let peak: RowPeak = propagate_row(co, &input, &mut next);
-        keep_held(&input, &mut next);
-        if peak.bend > safe[0] || peak.rate > safe[1] {
-            clamped += limit_row(&mut next, wave.ground.slope_row(cells, j), held);
+        keep_held([0, 1, 2, 3].map(|plane| plane_row(wave.now, cells, plane, j)), held, &mut next);
+        let over = most > safe[0] || fastest[k] > safe[1];
+        if over {
+            sum.clamped += limit_row(&mut next, wave.ground.slope_row(cells, j), held);
         }
         if wave.keep < 1.0 {
             fade_row(&mut next, rest, wave.keep);
         }
-        deviations(&next, rest, &mut scratch.deviations);
-        summarise(&scratch.deviations, j, &mut squares);
+        if over || wave.keep < 1.0 || !held.is_empty() {
+            deviations(&next, rest, bits);
+            deviation = largest(bits);
+        }
+        sum.add(deviation, bits, j);
     }
-    let [largest, borders @ ..] = squares.map(f32::from_bits);
-    Summary { largest, borders, clamped }
 }
 
 /// A patch that wakes: both time levels at rest.

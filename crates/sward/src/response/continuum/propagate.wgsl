@@ -9,14 +9,13 @@ fn continuum_propagate(co: ContinuumCoefficients, now: ContinuumCell, old: Conti
     let speed = continuum_wave_speed(co, now.rate);
     let speed_before = continuum_wave_speed(co, old.rate);
     let ratio = select(1.0, speed / speed_before, speed < speed_before);
-    let before = now.bend - (now.bend - old.bend) * ratio;
-    let spread = speed * speed * co.spread;
+    let keep = (1.0 - co.damping) * ratio;
     let laplacian = around.bend - 4.0 * now.bend;
-    let rate_laplacian = around.rate - 4.0 * now.rate;
+    let pulled = speed * speed * co.spread * laplacian - co.restoring * (now.bend - rest);
     var next: ContinuumCell;
-    next.bend = (2.0 - co.damping) * now.bend - (1.0 - co.damping) * before + (spread * laplacian - co.restoring * (now.bend - rest));
-    next.rate = (2.0 - co.rate_damping) * now.rate - (1.0 - co.rate_damping) * old.rate
-        + (co.rate_spread * rate_laplacian - co.rate_restoring * now.rate);
+    next.bend = now.bend + (keep * (now.bend - old.bend) + pulled);
+    let here = 1.0 - 4.0 * co.rate_spread - co.rate_restoring;
+    next.rate = here * now.rate + ((1.0 - co.rate_damping) * (now.rate - old.rate) + co.rate_spread * around.rate);
     return next;
 }
 

@@ -8,11 +8,24 @@ use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
 use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
 use super::rest::Rest;
 use crate::interaction::Contact;
-use crate::lanes::{Lanes, Work};
+use crate::lanes::{Lanes, Simd, Work};
 use crate::plan::{PatchPlan, StandPlan};
 use crate::response::StandModel;
 use crate::state::{Cells, Ground, NONE, PatchKey, Summary, TILE};
 use crate::terrain::Terrain;
+
+/// What a step of a stand consists of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// β_eq in the wind of the step.
+    Rest,
+    /// Patches that wake, and cells under bodies.
+    Contact,
+    /// Propagation, limits and fading.
+    Wave,
+    /// Upper segments.
+    Lags,
+}
 
 /// One awake patch at work.
 struct Task<'a> {
@@ -107,8 +120,8 @@ impl Work for PatchWork<'_> {
     type Output = Summary;
 
     #[inline(always)]
-    fn run(self) -> Summary {
-        step_patch(self.co, self.side, self.wave, self.old, &mut Scratch::default())
+    fn run<S: Simd>(self, simd: S) -> Summary {
+        step_patch(simd, self.co, self.side, self.wave, self.old, &mut Scratch::default())
     }
 }
 
@@ -123,21 +136,25 @@ impl Work for CascadeWork<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
+    fn run<S: Simd>(self, _: S) {
         cascade(self.lag, self.bend, self.upper);
     }
 }
 
-/// contact → wave → limits of one stand; returns what activation wants to know of each patch. `cells.now` is one step on afterwards.
-pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut Cells, lanes: Lanes) -> Vec<(PatchKey, Summary)> {
+/// rest → contact → wave and limits of one stand; returns what activation wants to know of each patch. `cells.now` is one step on
+/// afterwards. `ended` hears of each stage that has just ended.
+pub fn step(
+    terrain: &Terrain,
+    stand: &StandModel,
+    plan: &StandPlan,
+    cells: &mut Cells,
+    lanes: Lanes,
+    ended: &mut dyn FnMut(Stage),
+) -> Vec<(PatchKey, Summary)> {
     let side = stand.cells as usize;
     reserve(cells, plan, side * side);
-    let k_w = stand.species.continuum.wind;
-    let mut tasks: Vec<Task> = each(plan.patches.iter().collect(), |patch| Task {
-        plan: patch,
-        rest: Rest::of(if patch.patch == TILE { &plan.tile_wind } else { &plan.wind }, patch.patch, stand.cells, k_w),
-        held: Vec::new(),
-    });
+    let mut tasks = rest(stand, plan);
+    ended(Stage::Rest);
     each(with_levels(&mut tasks, cells), |(task, now, old, ground)| {
         if task.plan.woken {
             wake_patch(side, &task.rest, now, old);
@@ -145,30 +162,46 @@ pub fn step(terrain: &Terrain, stand: &StandModel, plan: &StandPlan, cells: &mut
         }
         touch(stand, plan, task, (now, old), ground);
     });
+    ended(Stage::Contact);
     let mut summaries = Vec::new();
     for substep in 0..stand.substeps {
-        let (now, ground) = (&cells.now, &cells.ground);
-        let mut olds: Vec<Option<&mut Box<[f32]>>> = cells.old.iter_mut().map(Some).collect();
-        let work: Vec<(&Task, &mut Box<[f32]>)> =
-            tasks.iter().filter_map(|task| olds[task.plan.slot as usize].take().map(|old| (task, old))).collect();
-        let last = substep + 1 == stand.substeps;
-        summaries = each(work, |(task, old)| {
-            let slot = task.plan.slot as usize;
-            let wave = Wave {
-                now: &now[slot],
-                neighbours: [0, 1, 2, 3].map(|side| task.plan.neighbour(side).map(|slot| &now[slot][..])),
-                rest: &task.rest,
-                ground: &ground[slot],
-                safe_limit: safe_limit(ground[slot].steepest),
-                held: &task.held,
-                keep: if last { task.plan.keep } else { 1.0 },
-            };
-            let summary = lanes.run(PatchWork { co: &stand.coefficients, side, wave: &wave, old });
-            (task.plan.patch, summary)
-        });
+        summaries = wave(stand, &tasks, cells, lanes, substep + 1 == stand.substeps);
         std::mem::swap(&mut cells.now, &mut cells.old);
     }
+    ended(Stage::Wave);
     summaries
+}
+
+/// Where plants would rest in the wind of this step, patch by patch.
+fn rest<'a>(stand: &StandModel, plan: &'a StandPlan) -> Vec<Task<'a>> {
+    let k_w = stand.species.continuum.wind;
+    each(plan.patches.iter().collect(), |patch| Task {
+        plan: patch,
+        rest: Rest::of(if patch.patch == TILE { &plan.tile_wind } else { &plan.wind }, patch.patch, stand.cells, k_w),
+        held: Vec::new(),
+    })
+}
+
+/// One substep of all patches; `cells.old` receives the future.
+fn wave(stand: &StandModel, tasks: &[Task], cells: &mut Cells, lanes: Lanes, last: bool) -> Vec<(PatchKey, Summary)> {
+    let (now, ground) = (&cells.now, &cells.ground);
+    let mut olds: Vec<Option<&mut Box<[f32]>>> = cells.old.iter_mut().map(Some).collect();
+    let work: Vec<(&Task, &mut Box<[f32]>)> =
+        tasks.iter().filter_map(|task| olds[task.plan.slot as usize].take().map(|old| (task, old))).collect();
+    each(work, |(task, old)| {
+        let slot = task.plan.slot as usize;
+        let wave = Wave {
+            now: &now[slot],
+            neighbours: [0, 1, 2, 3].map(|side| task.plan.neighbour(side).map(|slot| &now[slot][..])),
+            rest: &task.rest,
+            ground: &ground[slot],
+            safe_limit: safe_limit(ground[slot].steepest),
+            held: &task.held,
+            keep: if last { task.plan.keep } else { 1.0 },
+        };
+        let summary = lanes.run(PatchWork { co: &stand.coefficients, side: stand.cells as usize, wave: &wave, old });
+        (task.plan.patch, summary)
+    })
 }
 
 /// The upper segments and the past of one lag slot.
