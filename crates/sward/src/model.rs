@@ -5,11 +5,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::figure::Figure;
+use crate::growth::{Growth, Limit, MaskImage, Outline};
 use crate::interaction::{FigureBody, Piece, pieces_of};
 use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
-use crate::scene::{Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
+use crate::scene::{Area, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
 use crate::state::BodyState;
 use crate::terrain::{Detail, Terrain, is_tiff};
 use crate::wind::{Flow, Images, Source, Tile};
@@ -19,6 +20,9 @@ pub trait Assets {
     /// The bytes of the file a scene names, or why it cannot be read.
     fn read(&self, path: &str) -> Result<Vec<u8>, String>;
 }
+
+/// How far height follows cover in the margin of an exclusion.
+const MARGIN_HEIGHT: f32 = 0.6;
 
 /// Largest file a scene may name, bytes.
 const LARGEST_FILE: u64 = 512 << 20;
@@ -92,6 +96,8 @@ pub struct Model {
     pub terrain: Terrain,
     /// Stands in the scene's order.
     pub stands: Vec<StandModel>,
+    /// What limits growth: exclusions, then masks.
+    pub limits: Vec<Arc<Limit>>,
     /// Wind sources.
     pub sources: Vec<Source>,
     /// Wind of places.
@@ -176,7 +182,53 @@ fn body_models(scene: &Scene, assets: &dyn Assets) -> Result<Vec<BodyModel>, Sce
     Ok(bodies)
 }
 
-fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, SceneError> {
+/// Share of all plants that belong to the stands named and are taller than `above` \[m\]: how bare the ground looks without them.
+fn share_of(scene: &Scene, species: &[SpeciesModel], names: &[String], above: f32) -> f32 {
+    let (mut own, mut all) = (0.0, 0.0);
+    for (stand, species) in scene.stands.iter().zip(species) {
+        let [low, high] = species.height;
+        let taller = ((high - above) / (high - low).max(1e-3)).clamp(0.0, 1.0);
+        let named = names.is_empty() || names.contains(&species.name);
+        (own, all) = (own + if named { stand.cover * taller } else { 0.0 }, all + stand.cover);
+    }
+    if all > 0.0 { own / all } else { 1.0 }
+}
+
+/// The exclusions and masks of a scene, each with the stands it names; none named: all.
+fn limits(scene: &Scene, assets: &dyn Assets) -> Result<Vec<(Arc<Limit>, Vec<String>)>, SceneError> {
+    let species = scene.stands.iter().map(crate::scene::Stand::resolve).collect::<Result<Vec<_>, _>>()?;
+    let mut limits = Vec::new();
+    for exclusion in &scene.exclusions {
+        let limit = Limit {
+            outline: Outline::of(&exclusion.area),
+            soft: exclusion.soft,
+            above: exclusion.above,
+            height: MARGIN_HEIGHT,
+            outside: 1.0,
+            colour: exclusion.colour,
+            share: share_of(scene, &species, &exclusion.stands, exclusion.above),
+        };
+        limits.push((Arc::new(limit), exclusion.stands.clone()));
+    }
+    for mask in &scene.masks {
+        let bad = |message: String| SceneError::in_file(&mask.path, message);
+        let bytes = assets.read(&mask.path).map_err(|why| bad(format!("cannot be read: {why}")))?;
+        let image = Arc::new(MaskImage::from_png(&bytes).map_err(bad)?);
+        let limit = Limit {
+            outline: Outline::of_mask(mask, image),
+            soft: 0.0,
+            above: 0.0,
+            height: mask.height,
+            outside: mask.outside,
+            colour: mask.colour,
+            share: share_of(scene, &species, &mask.stands, 0.0),
+        };
+        limits.push((Arc::new(limit), mask.stands.clone()));
+    }
+    Ok(limits)
+}
+
+fn stand_models(scene: &Scene, sources: &[Source], limits: &[(Arc<Limit>, Vec<String>)]) -> Result<Vec<StandModel>, SceneError> {
     let dt = 1.0 / f64::from(scene.steps_per_second);
     let patch_side = f64::from(scene.field.patch_side);
     let mut stands: Vec<StandModel> = Vec::new();
@@ -194,8 +246,10 @@ fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, Sc
             clumping: stand.clumping,
             clumps: ((patch_side / f64::from(stand.clump_size)).round() as u32).clamp(1, stand.cells),
         };
+        let own = limits.iter().filter(|(_, names)| names.is_empty() || names.contains(&species.name));
         stands.push(StandModel {
             name: stand.label(),
+            growth: Growth { limits: own.map(|(limit, _)| Arc::clone(limit)).collect(), slopes: stand.slope },
             lag: LagCoefficients::new(&species.continuum, species.billboard.segments, dt),
             tolerance: tolerance(&species, sources),
             species,
@@ -277,6 +331,16 @@ pub fn rebased(mut scene: Scene) -> Scene {
     if let SceneTerrain::Image(image) = &mut scene.terrain {
         move_to(&mut image.offset);
     }
+    for exclusion in &mut scene.exclusions {
+        match &mut exclusion.area {
+            Area::Box(rectangle) => move_to(&mut rectangle.at),
+            Area::Disc(disc) => move_to(&mut disc.at),
+            Area::Polygon(outline) => outline.points.iter_mut().for_each(move_to),
+            Area::Road(road) => road.points.iter_mut().for_each(move_to),
+        }
+    }
+    scene.masks.iter_mut().for_each(|mask| move_to(&mut mask.at));
+    scene.edits.iter_mut().for_each(|edit| move_to(&mut edit.at));
     scene
 }
 
@@ -296,16 +360,20 @@ impl Model {
             let low = count.map(|n| -((n / 2) as i32));
             [low, [low[0] + count[0] as i32, low[1] + count[1] as i32]]
         });
-        let stands = stand_models(scene, &sources)?;
+        let mut terrain = load_terrain(&scene.terrain, assets)?.with_detail(detail_of(scene));
+        terrain.reserve_edits(&scene.edits).map_err(|error| SceneError::in_file("", error.to_string()))?;
+        let limits = limits(scene, assets)?;
+        let stands = stand_models(scene, &sources, &limits)?;
         let (blowers, images) = blowers(scene, assets)?;
         Ok(Self {
             dt: 1.0 / f64::from(scene.steps_per_second),
             rate: scene.steps_per_second,
             patch_side: f64::from(scene.field.patch_side),
             field,
-            terrain: load_terrain(&scene.terrain, assets)?.with_detail(detail_of(scene)),
+            terrain,
             gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0)),
             stands,
+            limits: limits.into_iter().map(|(limit, _)| limit).collect(),
             sources,
             blowers,
             images: Arc::new(images),

@@ -29,7 +29,7 @@ fn on_cpu(world: &World, behind: f64) -> [Vec<f32>; 2] {
     for (plan, plain) in plans.iter().zip([false, true]) {
         let uniform = PrepareUniform::new(world, stand, plain, &seen, &looks[0]);
         let intervals = stand.cells / NODE_CELLS;
-        let preparing = Preparing { uniform, cells: &state.cells, terrain: &world.model.terrain, wind: &wind, intervals };
+        let preparing = Preparing { uniform, cells: &state.cells, terrain: &world.model.terrain, stand, wind: &wind, intervals };
         for draw in &plan.draws {
             let mut solved = vec![Plant::default(); draw.count as usize];
             let mut spines = vec![[0.0; 4]; solved.len() * (uniform.drawn as usize + 1)];
