@@ -1,11 +1,15 @@
-//! The compiled scene: everything a step reads and never changes.
+//! The compiled scene: everything a step reads and never changes, but for the ground where it is edited.
+
+mod limits;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use limits::Named;
+
 use crate::figure::Figure;
-use crate::growth::{Growth, Limit, MaskImage, Outline};
+use crate::growth::{Growth, Limit};
 use crate::interaction::{FigureBody, Piece, pieces_of};
 use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
@@ -20,9 +24,6 @@ pub trait Assets {
     /// The bytes of the file a scene names, or why it cannot be read.
     fn read(&self, path: &str) -> Result<Vec<u8>, String>;
 }
-
-/// How far height follows cover in the margin of an exclusion.
-const MARGIN_HEIGHT: f32 = 0.6;
 
 /// Largest file a scene may name, bytes.
 const LARGEST_FILE: u64 = 512 << 20;
@@ -182,53 +183,7 @@ fn body_models(scene: &Scene, assets: &dyn Assets) -> Result<Vec<BodyModel>, Sce
     Ok(bodies)
 }
 
-/// Share of all plants that belong to the stands named and are taller than `above` \[m\]: how bare the ground looks without them.
-fn share_of(scene: &Scene, species: &[SpeciesModel], names: &[String], above: f32) -> f32 {
-    let (mut own, mut all) = (0.0, 0.0);
-    for (stand, species) in scene.stands.iter().zip(species) {
-        let [low, high] = species.height;
-        let taller = ((high - above) / (high - low).max(1e-3)).clamp(0.0, 1.0);
-        let named = names.is_empty() || names.contains(&species.name);
-        (own, all) = (own + if named { stand.cover * taller } else { 0.0 }, all + stand.cover);
-    }
-    if all > 0.0 { own / all } else { 1.0 }
-}
-
-/// The exclusions and masks of a scene, each with the stands it names; none named: all.
-fn limits(scene: &Scene, assets: &dyn Assets) -> Result<Vec<(Arc<Limit>, Vec<String>)>, SceneError> {
-    let species = scene.stands.iter().map(crate::scene::Stand::resolve).collect::<Result<Vec<_>, _>>()?;
-    let mut limits = Vec::new();
-    for exclusion in &scene.exclusions {
-        let limit = Limit {
-            outline: Outline::of(&exclusion.area),
-            soft: exclusion.soft,
-            above: exclusion.above,
-            height: MARGIN_HEIGHT,
-            outside: 1.0,
-            colour: exclusion.colour,
-            share: share_of(scene, &species, &exclusion.stands, exclusion.above),
-        };
-        limits.push((Arc::new(limit), exclusion.stands.clone()));
-    }
-    for mask in &scene.masks {
-        let bad = |message: String| SceneError::in_file(&mask.path, message);
-        let bytes = assets.read(&mask.path).map_err(|why| bad(format!("cannot be read: {why}")))?;
-        let image = Arc::new(MaskImage::from_png(&bytes).map_err(bad)?);
-        let limit = Limit {
-            outline: Outline::of_mask(mask, image),
-            soft: 0.0,
-            above: 0.0,
-            height: mask.height,
-            outside: mask.outside,
-            colour: mask.colour,
-            share: share_of(scene, &species, &mask.stands, 0.0),
-        };
-        limits.push((Arc::new(limit), mask.stands.clone()));
-    }
-    Ok(limits)
-}
-
-fn stand_models(scene: &Scene, sources: &[Source], limits: &[(Arc<Limit>, Vec<String>)]) -> Result<Vec<StandModel>, SceneError> {
+fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<Vec<StandModel>, SceneError> {
     let dt = 1.0 / f64::from(scene.steps_per_second);
     let patch_side = f64::from(scene.field.patch_side);
     let mut stands: Vec<StandModel> = Vec::new();
@@ -362,7 +317,7 @@ impl Model {
         });
         let mut terrain = load_terrain(&scene.terrain, assets)?.with_detail(detail_of(scene));
         terrain.reserve_edits(&scene.edits).map_err(|error| SceneError::in_file("", error.to_string()))?;
-        let limits = limits(scene, assets)?;
+        let limits = limits::of(scene, assets)?;
         let stands = stand_models(scene, &sources, &limits)?;
         let (blowers, images) = blowers(scene, assets)?;
         Ok(Self {

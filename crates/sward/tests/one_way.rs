@@ -149,6 +149,7 @@ fn state_updates_use_only_our_own_arithmetic() {
         "growth",
         "activation.rs",
         "terrain/detail.rs",
+        "terrain/edits.rs",
         "figure/clip.rs",
         "figure/hull.rs",
         "figure/part.rs",
