@@ -206,14 +206,8 @@ pub fn cover_at(
             inside ^= at[0] < crossing;
         }
     }
-    let signed = if record.kind == 0 {
-        distance - record.half_width
-    } else if inside {
-        -distance
-    } else {
-        distance
-    };
-    ramp(-blur, record.soft + blur, signed)
+    let away = if inside { -distance } else { distance - record.half_width };
+    ramp(-blur, record.soft + blur, away)
 }
 
 /// Bilinear between the middles of pixels.
