@@ -188,7 +188,15 @@ impl World {
         let mut planes = [&saved.now, &saved.old, &saved.upper, &saved.history].map(|values| values.iter().copied());
         let [now, old, uppers, past] = &mut planes;
         let counters = saved.counters;
-        let counts = [counters.woken, counters.slept, counters.released, counters.denied, counters.clamped, counters.patch_steps, counters.resampled];
+        let counts = [
+            counters.woken,
+            counters.slept,
+            counters.released,
+            counters.denied,
+            counters.clamped,
+            counters.patch_steps,
+            counters.resampled,
+        ];
         if counts.iter().any(|count| *count >= 1 << 62) {
             return Err(SavedError::Damaged("a number in it is out of bounds"));
         }

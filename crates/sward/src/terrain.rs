@@ -219,7 +219,10 @@ impl Terrain {
 
     /// What the GPU must know besides [`Terrain::heights`].
     pub fn grid(&self) -> TerrainGrid {
-        TerrainGrid { size: [self.columns as i32, self.rows as i32], inverse_spacing: self.inverse_spacing, detail: self.detail.kernel,
+        TerrainGrid {
+            size: [self.columns as i32, self.rows as i32],
+            inverse_spacing: self.inverse_spacing,
+            detail: self.detail.kernel,
             edit_size: self.edits.size().map(|count| count as i32),
             edit_first: self.heights.len() as i32,
             edit_inverse_spacing: (1.0 / EDIT_SPACING) as f32,

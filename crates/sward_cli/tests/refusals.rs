@@ -52,7 +52,10 @@ fn fails_with_exclusions_masks_and_edits_that_cannot_be() {
     place.write("maps/text.png", "a picture");
     for (more, words) in [
         ("exclusions: [(area: Road(points: [(0, 0)]))]", &["x.ron:4:", "`points` has 1, allowed 2 to 256"][..]),
-        ("exclusions: [(area: Disc(radius: 2), stands: [\"medow\"])]", &["x.ron:4:", "no stand is called `medow`", "did you mean `meadow`?"]),
+        (
+            "exclusions: [(area: Disc(radius: 2), stands: [\"medow\"])]",
+            &["x.ron:4:", "no stand is called `medow`", "did you mean `meadow`?"],
+        ),
         ("exclusions: [(area: Disk(radius: 2))]", &["x.ron:4:", "did you mean `Disc`?"]),
         ("masks: [(path: \"\", size: (9, 9))]", &["x.ron:4:", "`path` is empty"]),
         ("masks: [(path: \"maps/none.png\", size: (9, 9))]", &["maps/none.png", "cannot be read"]),

@@ -3,8 +3,8 @@
 use glam::{Vec2, Vec3, Vec4};
 use sward::geometry::relief::{Relief, ReliefFrame, detail, edit, height};
 use sward::geometry::rings::{self, Grid};
-use sward::picture::frame::FrameInput;
 use sward::growth::Near;
+use sward::picture::frame::FrameInput;
 use sward::shading::ground::{earth, ground, stray};
 use sward::shading::look::Turf;
 use sward::terrain::{EditFrame, Edits};

@@ -73,9 +73,8 @@ impl Near {
         for limit in limits {
             let bounds = limit.outline.bounds();
             let margin = f64::from(limit.soft);
-            let touches = |axis: usize| {
-                bounds[0][axis] - margin - place[axis] <= high[axis] && bounds[1][axis] + margin - place[axis] >= low[axis]
-            };
+            let touches =
+                |axis: usize| bounds[0][axis] - margin - place[axis] <= high[axis] && bounds[1][axis] + margin - place[axis] >= low[axis];
             if (touches(0) && touches(1)) || limit.outside < 1.0 {
                 near.add(limit, place, bounds);
             }
@@ -182,13 +181,7 @@ fn to_edge(edge: [f32; 4], at: [f32; 2]) -> f32 {
 }
 
 /// Share of plants that a limit leaves at a place, 0 to 1; its rim is blurred over `blur` metres.
-pub fn cover_at(
-    record: &GrowthRecord,
-    at: [f32; 2],
-    blur: f32,
-    edge: impl Fn(u32) -> [f32; 4],
-    shade: impl Fn(u32) -> f32,
-) -> f32 {
+pub fn cover_at(record: &GrowthRecord, at: [f32; 2], blur: f32, edge: impl Fn(u32) -> [f32; 4], shade: impl Fn(u32) -> f32) -> f32 {
     let outside = (0..2).any(|axis| at[axis] < record.low[axis] - blur || at[axis] > record.high[axis] + blur);
     if outside {
         return record.outside;

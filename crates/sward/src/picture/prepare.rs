@@ -188,14 +188,7 @@ impl Preparing<'_> {
         }
     }
 
-    fn prepare_plant(
-        &self,
-        draw: &PatchDraw,
-        phases: &Phases,
-        growth: Option<&[u8]>,
-        rank: u32,
-        joints: &mut [[f32; 4]],
-    ) -> Option<Plant> {
+    fn prepare_plant(&self, draw: &PatchDraw, phases: &Phases, growth: Option<&[u8]>, rank: u32, joints: &mut [[f32; 4]]) -> Option<Plant> {
         let prepare = &self.uniform;
         let cell = ordered_cell(rank, prepare.bits);
         if cell.iter().any(|at| *at >= prepare.placement.cells) {

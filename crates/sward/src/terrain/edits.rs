@@ -107,7 +107,11 @@ impl Edits {
         if size[0].saturating_mul(size[1]) > most {
             let [x, z] = size.map(|samples| samples as f64 * EDIT_SPACING);
             let found = format!("{x} m x {z} m");
-            return Err(TerrainError::Value { key: "edits", found, allowed: "a rectangle round all of them of at most 524288 square metres" });
+            return Err(TerrainError::Value {
+                key: "edits",
+                found,
+                allowed: "a rectangle round all of them of at most 524288 square metres",
+            });
         }
         let size = size.map(|samples| samples as u32);
         if size != self.size || low != self.first {

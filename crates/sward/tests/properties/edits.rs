@@ -52,7 +52,8 @@ fn ground_rises_smoothly_where_it_was_asked_and_nowhere_else() {
 fn flattened_ground_is_level() {
     let mut world = parked("");
     world.edit_terrain(&raise([0.0, 0.0], 20.0, 4.0)).unwrap();
-    let level = Edit { at: [6.0, 0.0], radius: 8.0, hardness: 0.5, change: Change::Flatten(Flatten { height: Some(1.0) }), ..Edit::default() };
+    let level =
+        Edit { at: [6.0, 0.0], radius: 8.0, hardness: 0.5, change: Change::Flatten(Flatten { height: Some(1.0) }), ..Edit::default() };
     world.edit_terrain(&level).unwrap();
     for [x, z] in [[6.0, 0.0], [9.0, 1.0], [4.0, -3.0]] {
         assert!((world.model.terrain.height_at(x, z) - 1.0).abs() < 1e-4);
@@ -101,7 +102,8 @@ fn a_patch_that_wakes_later_has_the_new_ground() {
 
 #[test]
 fn saved_states_keep_the_ground() {
-    let edits = "edits: [(at: (5, 5), radius: 3, change: Raise(height: 0.3)), (time: 0.4, at: (2, 4), radius: 2, change: Raise(height: -0.2))],";
+    let edits =
+        "edits: [(at: (5, 5), radius: 3, change: Raise(height: 0.3)), (time: 0.4, at: (2, 4), radius: 2, change: Raise(height: -0.2))],";
     for (scene, by_hand) in [("", true), (edits, false), (edits, true)] {
         let mut first = parked(scene);
         run(&mut first, 20);

@@ -2,10 +2,10 @@
 
 use libtest_mimic::Failed;
 use sward::geometry::billboard;
+use sward::growth::{self, GrowthRecord, cover_at};
 use sward::interaction::{self, contact_at};
 use sward::math;
 use sward::model::NoAssets;
-use sward::growth::{self, GrowthRecord, cover_at};
 use sward::placement::{self, PlacementParameters};
 use sward::plan::StandPlan;
 use sward::scene::Scene;
@@ -234,7 +234,18 @@ pub(crate) fn growth_covers(gpu: &Gpu) -> Verdict {
     let shades: Vec<f32> = (0..35).map(|k| ((k * 97) % 256) as f32 / 255.0).collect();
     let (low, high) = ([-11.0, -9.0], [11.0, 9.0]);
     let made = |kind, first, count, rows, soft| GrowthRecord {
-        kind, first, count, rows, low, high, soft, half_width: 1.7, outside: 0.8, share: 1.0, colour: [0.5; 3], unused: 0.0,
+        kind,
+        first,
+        count,
+        rows,
+        low,
+        high,
+        soft,
+        half_width: 1.7,
+        outside: 0.8,
+        share: 1.0,
+        colour: [0.5; 3],
+        unused: 0.0,
     };
     let records = [made(0, 0, 2, 0, 0.0), made(0, 0, 2, 0, 2.5), made(1, 2, 4, 0, 1.2), made(2, 0, 7, 5, 0.0)];
     let rust = |n: u32, input: &mut Vec<u32>| {

@@ -99,8 +99,10 @@ pub(crate) fn plants_solved(gpu: &Gpu) -> Verdict {
 /// A road, a house and a hill that rose: plants that are gone, lower, and higher up.
 pub(crate) fn plants_on_edited_ground(gpu: &Gpu) -> Verdict {
     let text = |more: &str| {
-        format!("(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32)], {more}
-            budget: (patches: 25, lag_distance: 6.0), camera: (eye: (0, 2, -4), target: (0, 0, 6)))")
+        format!(
+            "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32)], {more}
+            budget: (patches: 25, lag_distance: 6.0), camera: (eye: (0, 2, -4), target: (0, 0, 6)))"
+        )
     };
     let limits = "exclusions: [(area: Road(points: [(-30, 6), (2, 3), (9, 40)], width: 3), soft: 1.5), (area: Box(at: (-4, 14), size: (5, 7), yaw: 0.3))],
         edits: [(at: (3, 9), radius: 6, change: Raise(height: 1.2))],";

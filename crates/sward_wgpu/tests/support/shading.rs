@@ -5,8 +5,8 @@ use sward::geometry::{card, relief};
 use sward::math;
 use sward::shading::look::{Look, Style, Turf};
 use sward::shading::sky::Light;
-use sward::terrain::EditFrame;
 use sward::shading::{self, body, clump::Kind, common, foliage, grass, ground, sky};
+use sward::terrain::EditFrame;
 use sward_wgpu::compare::Tolerance;
 use sward_wgpu::gpu::Gpu;
 

@@ -136,8 +136,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         edit,
         edit_size
     });
-    let record =
-        layout!(GrowthRecord { kind, first, count, rows, low, high, colour, share, half_width, soft, outside });
+    let record = layout!(GrowthRecord { kind, first, count, rows, low, high, colour, share, half_width, soft, outside });
     vec![
         ("GrowthRecord", text_of("ground"), record),
         ("GrowthBlock", text_of("ground"), layout!(GrowthBlock { count, first_edge, records })),
