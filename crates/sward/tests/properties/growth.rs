@@ -36,7 +36,7 @@ fn meadow(more: &str) -> World {
 
 /// Distance of a point to a piece of a line, by another way than the product's: the nearest of many points on it.
 fn near_line(points: &[[f64; 2]], at: [f64; 2]) -> f64 {
-    let pieces = points.windows(2).flat_map(|pair| (0..=400).map(move |k| (pair[0], pair[1], f64::from(k) / 400.0)));
+    let pieces = points.windows(2).flat_map(|pair| (0..=100).map(move |k| (pair[0], pair[1], f64::from(k) / 100.0)));
     pieces.map(|(a, b, t)| (a[0] + (b[0] - a[0]) * t - at[0]).hypot(a[1] + (b[1] - a[1]) * t - at[1])).fold(f64::MAX, f64::min)
 }
 
