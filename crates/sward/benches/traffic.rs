@@ -43,6 +43,7 @@ impl Field {
                 neighbours: [slot(x - 1, z), slot(x + 1, z), slot(x, z - 1), slot(x, z + 1)],
                 keep: 1.0,
                 woken: true,
+                edited: false,
                 lag_woken: false,
                 pairs: 0..0,
             }

@@ -7,6 +7,7 @@
 pub mod activation;
 pub mod figure;
 pub mod geometry;
+pub mod growth;
 pub mod interaction;
 pub mod lanes;
 pub mod math;

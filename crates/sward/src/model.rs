@@ -1,15 +1,20 @@
-//! The compiled scene: everything a step reads and never changes.
+//! The compiled scene: everything a step reads and never changes, but for the ground where it is edited.
+
+mod limits;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use limits::Named;
+
 use crate::figure::Figure;
+use crate::growth::{Growth, Limit};
 use crate::interaction::{FigureBody, Piece, pieces_of};
 use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
-use crate::scene::{Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
+use crate::scene::{Area, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
 use crate::state::BodyState;
 use crate::terrain::{Detail, Terrain, is_tiff};
 use crate::wind::{Flow, Images, Source, Tile};
@@ -92,6 +97,8 @@ pub struct Model {
     pub terrain: Terrain,
     /// Stands in the scene's order.
     pub stands: Vec<StandModel>,
+    /// What limits growth: exclusions, then masks.
+    pub limits: Vec<Arc<Limit>>,
     /// Wind sources.
     pub sources: Vec<Source>,
     /// Wind of places.
@@ -176,7 +183,7 @@ fn body_models(scene: &Scene, assets: &dyn Assets) -> Result<Vec<BodyModel>, Sce
     Ok(bodies)
 }
 
-fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, SceneError> {
+fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<Vec<StandModel>, SceneError> {
     let dt = 1.0 / f64::from(scene.steps_per_second);
     let patch_side = f64::from(scene.field.patch_side);
     let mut stands: Vec<StandModel> = Vec::new();
@@ -194,8 +201,10 @@ fn stand_models(scene: &Scene, sources: &[Source]) -> Result<Vec<StandModel>, Sc
             clumping: stand.clumping,
             clumps: ((patch_side / f64::from(stand.clump_size)).round() as u32).clamp(1, stand.cells),
         };
+        let own = limits.iter().filter(|(_, names)| names.is_empty() || names.contains(&species.name));
         stands.push(StandModel {
             name: stand.label(),
+            growth: Growth { limits: own.map(|(limit, _)| Arc::clone(limit)).collect(), slopes: stand.slope },
             lag: LagCoefficients::new(&species.continuum, species.billboard.segments, dt),
             tolerance: tolerance(&species, sources),
             species,
@@ -277,6 +286,16 @@ pub fn rebased(mut scene: Scene) -> Scene {
     if let SceneTerrain::Image(image) = &mut scene.terrain {
         move_to(&mut image.offset);
     }
+    for exclusion in &mut scene.exclusions {
+        match &mut exclusion.area {
+            Area::Box(rectangle) => move_to(&mut rectangle.at),
+            Area::Disc(disc) => move_to(&mut disc.at),
+            Area::Polygon(outline) => outline.points.iter_mut().for_each(move_to),
+            Area::Road(road) => road.points.iter_mut().for_each(move_to),
+        }
+    }
+    scene.masks.iter_mut().for_each(|mask| move_to(&mut mask.at));
+    scene.edits.iter_mut().for_each(|edit| move_to(&mut edit.at));
     scene
 }
 
@@ -296,16 +315,20 @@ impl Model {
             let low = count.map(|n| -((n / 2) as i32));
             [low, [low[0] + count[0] as i32, low[1] + count[1] as i32]]
         });
-        let stands = stand_models(scene, &sources)?;
+        let mut terrain = load_terrain(&scene.terrain, assets)?.with_detail(detail_of(scene));
+        terrain.reserve_edits(&scene.edits).map_err(|error| SceneError::in_file("", error.to_string()))?;
+        let limits = limits::of(scene, assets)?;
+        let stands = stand_models(scene, &sources, &limits)?;
         let (blowers, images) = blowers(scene, assets)?;
         Ok(Self {
             dt: 1.0 / f64::from(scene.steps_per_second),
             rate: scene.steps_per_second,
             patch_side: f64::from(scene.field.patch_side),
             field,
-            terrain: load_terrain(&scene.terrain, assets)?.with_detail(detail_of(scene)),
+            terrain,
             gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0)),
             stands,
+            limits: limits.into_iter().map(|(limit, _)| limit).collect(),
             sources,
             blowers,
             images: Arc::new(images),

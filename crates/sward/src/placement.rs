@@ -73,13 +73,17 @@ fn clump(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> f32 {
     low + (high - low) * sz
 }
 
+/// Share of cells that carry a plant where the clump noise is `clump`.
+fn cover(p: &PlacementParameters, clump: f32) -> f32 {
+    p.cover * (1.0 - p.clumping * (1.0 - clump))
+}
+
 /// The plant of a cell, if there is one. `patch` is counted from the scene's origin patch, `cell` = (i, j) below `cells`.
 pub fn plant(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> Option<Plant> {
     let index = cell[1] * p.cells + cell[0];
     let random = |purpose: u32| math::unit(math::hash(p.seed, patch[0], patch[1], index, purpose));
     let clump = clump(p, patch, cell);
-    let cover = p.cover * (1.0 - p.clumping * (1.0 - clump));
-    if random(purpose::PRESENT) >= cover {
+    if random(purpose::PRESENT) >= cover(p, clump) {
         return None;
     }
     let share = random(purpose::HEIGHT) * (1.0 - p.clumping) + clump * p.clumping;
@@ -89,4 +93,15 @@ pub fn plant(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> Option
         yaw: random(purpose::YAW) * std::f32::consts::TAU,
         tint: random(purpose::TINT),
     })
+}
+
+/// The plant of a cell of which the growth map says `growth`: 0 nothing grows, 255 all does, between them it is lower.
+pub fn grown(plant: Plant, growth: u8) -> Option<Plant> {
+    (growth > 0).then(|| Plant { height: plant.height * (f32::from(growth) / 255.0), ..plant })
+}
+
+/// Whether the plant of a cell is still there where only `share` of them are.
+pub fn stays(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2], share: f32) -> bool {
+    let index = cell[1] * p.cells + cell[0];
+    math::unit(math::hash(p.seed, patch[0], patch[1], index, purpose::PRESENT)) < cover(p, clump(p, patch, cell)) * share
 }

@@ -66,3 +66,11 @@ fn placement_plant(p: PlacementParameters, patch_: vec2<i32>, cell: vec2<u32>) -
     plant.tint = placement_random(p, patch_, index, PLACEMENT_TINT);
     return plant;
 }
+
+// The plant where the growth map says `growth`, 0 to 255: nothing, lower, or all of it.
+fn placement_grown(plant: PlacedPlant, growth: u32) -> PlacedPlant {
+    var grown = plant;
+    grown.present = plant.present && growth > 0u;
+    grown.height = plant.height * (f32(growth) / 255.0);
+    return grown;
+}

@@ -56,6 +56,8 @@ pub struct PatchPlan {
     pub keep: f32,
     /// It must be set to rest first.
     pub woken: bool,
+    /// The ground under it has changed and must be sampled again.
+    pub edited: bool,
     /// Its upper segments must be set to β first.
     pub lag_woken: bool,
     /// Its footprints in [`StandPlan::pairs`].

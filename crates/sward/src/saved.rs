@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::response::continuum;
 use crate::state::{Awake, BodyState, Counters, NONE, PatchKey, State, Summary};
+use crate::terrain::Edits;
 use crate::world::World;
 
 /// What [`World::save`] writes and [`World::restore`] reads.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 const MAGIC: &[u8; 10] = b"SWARDSTATE";
 const HEADER: usize = MAGIC.len() + 4 + 8;
 
@@ -46,6 +47,8 @@ struct Saved {
     pinned: Vec<[f64; 2]>,
     pending_seconds: f64,
     dropped_steps: u64,
+    edits: Edits,
+    edited: Vec<PatchKey>,
     stands: Vec<SavedStand>,
 }
 
@@ -96,6 +99,8 @@ impl World {
             pinned: state.pinned.clone(),
             pending_seconds: state.pending_seconds,
             dropped_steps: state.dropped_steps,
+            edits: self.model.terrain.edits().clone(),
+            edited: state.edited.iter().copied().collect(),
             stands: stands.collect(),
         };
         // Encoding plain data into memory cannot fail.
@@ -131,23 +136,32 @@ impl World {
     pub fn restore_payload(&mut self, payload: &[u8]) -> Result<(), SavedError> {
         let saved: Saved = postcard::from_bytes(payload).map_err(|_| SavedError::Damaged("it cannot be decoded"))?;
         self.same_scene(&saved)?;
-        let mut state = State {
+        let state = State {
             step: saved.step,
             bodies: saved.bodies,
             focuses: saved.focuses,
             pinned: saved.pinned,
             pending_seconds: saved.pending_seconds,
             dropped_steps: saved.dropped_steps,
+            edited: saved.edited.into_iter().collect(),
             stands: Vec::new(),
         };
         if !state_is_sound(&state) {
             return Err(SavedError::Damaged("a number in it is out of bounds"));
         }
-        for (index, stand) in saved.stands.into_iter().enumerate() {
-            let restored = self.restore_stand(index, stand, saved.step)?;
-            state.stands.push(restored);
+        let before = self.model.terrain.edits().clone();
+        if !self.model.terrain.put_edits(saved.edits) {
+            return Err(SavedError::Damaged("its ground is none"));
         }
-        self.state = state;
+        let stands = saved.stands.into_iter().enumerate();
+        let restored: Result<Vec<_>, _> = stands.map(|(index, stand)| self.restore_stand(index, stand, saved.step)).collect();
+        match restored {
+            Ok(stands) => self.state = State { stands, ..state },
+            Err(error) => {
+                self.model.terrain.put_edits(before);
+                return Err(error);
+            }
+        }
         Ok(())
     }
 
@@ -174,7 +188,15 @@ impl World {
         let mut planes = [&saved.now, &saved.old, &saved.upper, &saved.history].map(|values| values.iter().copied());
         let [now, old, uppers, past] = &mut planes;
         let counters = saved.counters;
-        let counts = [counters.woken, counters.slept, counters.released, counters.denied, counters.clamped, counters.patch_steps];
+        let counts = [
+            counters.woken,
+            counters.slept,
+            counters.released,
+            counters.denied,
+            counters.clamped,
+            counters.patch_steps,
+            counters.resampled,
+        ];
         if counts.iter().any(|count| *count >= 1 << 62) {
             return Err(SavedError::Damaged("a number in it is out of bounds"));
         }

@@ -1,5 +1,6 @@
 //! All that a step changes. Types only; every stage may read what the previous step left.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use serde::{Deserialize, Serialize};
@@ -26,6 +27,8 @@ pub struct State {
     pub focuses: Vec<[f64; 2]>,
     /// Points set from code to be cared about instead of the camera's, m (x, z): for servers, replays and several players.
     pub pinned: Vec<[f64; 2]>,
+    /// Patches whose ground has changed since the last step.
+    pub edited: BTreeSet<PatchKey>,
     /// Wall-clock seconds handed in and not yet stepped.
     pub pending_seconds: f64,
     /// Steps that `advance` dropped because the caller came too late.
@@ -126,7 +129,7 @@ pub struct Cells {
 }
 
 /// The ground under the cells of a patch, sampled once when it wakes: ∂height/∂x, ∂height/∂z and height \[m\], planes of cells²
-/// values; none where all ground is level.
+/// values; none where all ground is level. Where nothing grows the height is [`crate::growth::BARE`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ground {
     /// 3·cells² values or none.
@@ -138,6 +141,14 @@ pub struct Ground {
 }
 
 impl Ground {
+    /// All 3·`area` values, also of level ground.
+    pub fn planes(&self, area: usize) -> Cow<'_, [f32]> {
+        match self.values.is_empty() {
+            true => [vec![0.0; 2 * area], vec![self.level; area]].concat().into(),
+            false => Cow::Borrowed(&self.values),
+        }
+    }
+
     /// Slope at a cell.
     pub fn slope(&self, cells: usize, cell: usize) -> [f32; 2] {
         if self.values.is_empty() { [0.0, 0.0] } else { [self.values[cell], self.values[cells * cells + cell]] }
@@ -184,4 +195,6 @@ pub struct Counters {
     pub clamped: u64,
     /// Patch updates.
     pub patch_steps: u64,
+    /// Awake patches whose ground was sampled again after an edit.
+    pub resampled: u64,
 }

@@ -5,6 +5,7 @@
 //! in `f64`, so the ground is as exact 250 km away as at home. Twin: `terrain.wgsl`.
 
 mod detail;
+mod edits;
 mod error;
 mod geotiff;
 mod load;
@@ -13,7 +14,9 @@ mod surface;
 mod tests;
 
 use crate::math::{clamped, floored};
+use crate::scene::Edit;
 pub use detail::{DETAIL_WGSL, Detail, TerrainDetail};
+pub use edits::{EDIT_SPACING, EditFrame, Edits, MAX_EDIT_SAMPLES, Patch};
 pub use error::TerrainError;
 use error::check;
 pub use geotiff::is_tiff;
@@ -44,6 +47,8 @@ pub struct Terrain {
     filled: u32,
     /// Noise on top.
     detail: Detail,
+    /// What has been added since.
+    edits: Edits,
 }
 
 /// A place on the terrain from which kernels measure: a sample and the way to the next one.
@@ -58,6 +63,10 @@ pub struct TerrainAnchor {
     pub detail_cell: [i32; 2],
     /// The way through it, 0..=1.
     pub detail_way: [f32; 2],
+    /// Column and row before it among the edits, counted from their first.
+    pub edit_index: [i32; 2],
+    /// The way from there, 0..=1.
+    pub edit_fraction: [f32; 2],
 }
 
 /// What the kernels must know besides the heights; the same layout as `TerrainGrid` in WGSL.
@@ -70,6 +79,12 @@ pub struct TerrainGrid {
     pub inverse_spacing: [f32; 2],
     /// Noise on top.
     pub detail: TerrainDetail,
+    /// Samples of the edits along x and z; 0: none.
+    pub edit_size: [i32; 2],
+    /// Where they begin, after the terrain's own.
+    pub edit_first: i32,
+    /// Of them per metre.
+    pub edit_inverse_spacing: f32,
 }
 
 impl Default for Terrain {
@@ -92,6 +107,7 @@ impl Terrain {
             inverse_spacing: [1.0; 2],
             filled: 0,
             detail: Detail::NONE,
+            edits: Edits::default(),
         }
     }
 
@@ -118,7 +134,7 @@ impl Terrain {
             check("height", height, "a finite number of metres", false)?;
         }
         let inverse_spacing = spacing.map(|metres| (1.0 / metres) as f32);
-        Ok(Self { heights, columns, rows, spacing, corner, inverse_spacing, filled: 0, detail: Detail::NONE })
+        Ok(Self { heights, columns, rows, spacing, corner, inverse_spacing, filled: 0, detail: Detail::NONE, edits: Edits::default() })
     }
 
     /// The same terrain with noise on top.
@@ -138,7 +154,42 @@ impl Terrain {
 
     /// The ground is level everywhere.
     pub fn is_flat(&self) -> bool {
-        self.detail.kernel.octaves == 0 && self.heights.iter().all(|height| *height == self.heights[0])
+        self.edits.is_none() && self.detail.kernel.octaves == 0 && self.heights.iter().all(|height| *height == self.heights[0])
+    }
+
+    /// What has been added since the terrain was made.
+    pub fn edits(&self) -> &Edits {
+        &self.edits
+    }
+
+    /// How often the ground has been changed since it was made.
+    pub fn changes(&self) -> u64 {
+        self.edits.changes()
+    }
+
+    /// Makes room for edits, so that none of them can fail for want of it. Errors: they lie too far apart.
+    pub fn reserve_edits(&mut self, edits: &[Edit]) -> Result<(), TerrainError> {
+        let base = self.heights.len();
+        edits.iter().try_for_each(|edit| self.edits.reserve(edit.at, f64::from(edit.radius), base))
+    }
+
+    /// Changes the ground under a brush; its time is not looked at. The answer is the least and greatest x and z \[m\] between which
+    /// heights or slopes have changed. Errors: all edits together lie too far apart.
+    pub fn edit(&mut self, edit: &Edit) -> Result<[[f64; 2]; 2], TerrainError> {
+        self.reserve_edits(std::slice::from_ref(edit))?;
+        let mut edits = std::mem::take(&mut self.edits);
+        edits.apply(edit, |ground| self.surface_at(ground).0);
+        self.edits = edits;
+        let reach = f64::from(edit.radius) + 3.0 * EDIT_SPACING;
+        Ok([edit.at.map(|at| at - reach), edit.at.map(|at| at + reach)])
+    }
+
+    /// Puts saved edits in place of those there are; false, and nothing changes, if they are none.
+    pub(crate) fn put_edits(&mut self, saved: Edits) -> bool {
+        let replaced = self.edits.replaced(saved);
+        let sound = replaced.is_some();
+        self.edits = replaced.unwrap_or_else(|| std::mem::take(&mut self.edits));
+        sound
     }
 
     /// How many samples had no data in their file and took the height of the nearest that had.
@@ -168,14 +219,22 @@ impl Terrain {
 
     /// What the GPU must know besides [`Terrain::heights`].
     pub fn grid(&self) -> TerrainGrid {
-        TerrainGrid { size: [self.columns as i32, self.rows as i32], inverse_spacing: self.inverse_spacing, detail: self.detail.kernel }
+        TerrainGrid {
+            size: [self.columns as i32, self.rows as i32],
+            inverse_spacing: self.inverse_spacing,
+            detail: self.detail.kernel,
+            edit_size: self.edits.size().map(|count| count as i32),
+            edit_first: self.heights.len() as i32,
+            edit_inverse_spacing: (1.0 / EDIT_SPACING) as f32,
+        }
     }
 
     /// The anchor at a ground position (x, z) \[m\].
     pub fn anchor(&self, ground: [f64; 2]) -> TerrainAnchor {
         let (index, fraction) = self.place(ground);
         let (detail_cell, detail_way) = self.detail.anchor(ground);
-        TerrainAnchor { index, fraction: fraction.map(|part| part as f32), detail_cell, detail_way }
+        let (edit_index, edit_fraction) = self.edits.anchor(ground);
+        TerrainAnchor { index, fraction: fraction.map(|part| part as f32), detail_cell, detail_way, edit_index, edit_fraction }
     }
 
     /// Height \[m\] at `local` metres (x, z) from the anchor.
@@ -200,7 +259,12 @@ impl Terrain {
             way[axis] = clamped(place - whole as f32, 0.0, 1.0);
         }
         let (height, slope) = surface_f32(&self.neighbourhood(first), way);
-        let slope = [slope[0] * self.inverse_spacing[0], slope[1] * self.inverse_spacing[1]];
+        let mut height = height;
+        let mut slope = [slope[0] * self.inverse_spacing[0], slope[1] * self.inverse_spacing[1]];
+        if !self.edits.is_none() {
+            let (above, rise) = self.edits.at(anchor.edit_index, anchor.edit_fraction, local);
+            (height, slope) = (height + above, [slope[0] + rise[0], slope[1] + rise[1]]);
+        }
         if self.detail.kernel.octaves == 0 {
             return (height, slope);
         }
@@ -215,14 +279,23 @@ impl Terrain {
 
     /// Height \[m\] and slope along x and z \[m/m\] at a ground position \[m\], in `f64`.
     pub fn height_and_gradient_at(&self, x: f64, z: f64) -> (f64, [f64; 2]) {
-        let (index, fraction) = self.place([x, z]);
-        let (height, slope) = surface_f64(&self.neighbourhood(index), fraction);
-        let slope = [slope[0] / self.spacing[0], slope[1] / self.spacing[1]];
+        let (mut height, mut slope) = self.surface_at([x, z]);
+        if !self.edits.is_none() {
+            let (above, rise) = self.edits.at_ground([x, z]);
+            (height, slope) = (height + above, [slope[0] + rise[0], slope[1] + rise[1]]);
+        }
         if self.detail.kernel.octaves == 0 {
             return (height, slope);
         }
         let (above, rise) = self.detail.at_ground([x, z]);
         (height + above, [slope[0] + rise[0], slope[1] + rise[1]])
+    }
+
+    /// Height \[m\] and slope \[m/m\] of the samples alone, in f64.
+    fn surface_at(&self, ground: [f64; 2]) -> (f64, [f64; 2]) {
+        let (index, fraction) = self.place(ground);
+        let (height, slope) = surface_f64(&self.neighbourhood(index), fraction);
+        (height, [slope[0] / self.spacing[0], slope[1] / self.spacing[1]])
     }
 
     /// Column and row before a ground position, within one mirrored period, and the way to the next.
@@ -233,7 +306,8 @@ impl Terrain {
             let samples = (ground[axis] - self.corner[axis]) / self.spacing[axis];
             let samples = if samples.is_finite() { samples } else { 0.0 };
             let whole = samples.floor();
-            index[axis] = (whole as i64).rem_euclid(i64::from(period(self.grid().size[axis]))) as i32;
+            let samples_along = [self.columns, self.rows][axis] as i32;
+            index[axis] = (whole as i64).rem_euclid(i64::from(period(samples_along))) as i32;
             fraction[axis] = samples - whole;
         }
         (index, fraction)
@@ -241,7 +315,7 @@ impl Terrain {
 
     /// The 4 × 4 samples around the way from `first` to the next column and row.
     fn neighbourhood(&self, first: [i32; 2]) -> [[f32; 4]; 4] {
-        let size = self.grid().size;
+        let size = [self.columns as i32, self.rows as i32];
         let mut samples = [[0.0; 4]; 4];
         for (j, row) in samples.iter_mut().enumerate() {
             let start = mirrored(first[1].wrapping_add(j as i32 - 1), size[1]) * size[0];

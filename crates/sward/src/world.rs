@@ -8,8 +8,9 @@ use crate::lanes::Lanes;
 use crate::model::{Assets, Blower, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, patches_under};
 use crate::response::continuum;
-use crate::scene::{Beyond, Path, Scene, SceneError};
+use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
 use crate::state::{BodyState, NONE, PatchKey, StandState, State, Summary, TILE};
+use crate::terrain::TerrainError;
 use crate::view::View;
 use crate::wind::WindField;
 
@@ -48,6 +49,7 @@ impl World {
         let model = Model::compile(&scene, assets)?;
         let state = State { bodies: vec![BodyState::default(); scene.interactors.len()], ..State::default() };
         let mut world = Self { scene, model, state, lanes: Lanes::default() };
+        world.apply_edits(f64::NEG_INFINITY, 0.0);
         world.state.stands = world.model.stands.iter().map(|stand| world.empty_stand(stand)).collect();
         for index in 0..world.state.bodies.len() {
             let pose = world.pose(index, 0.0);
@@ -119,8 +121,9 @@ impl World {
         steps as u32
     }
 
-    /// Bodies → wind → activation: everything about the coming step that is decided before a cell moves.
+    /// Ground → bodies → wind → activation: everything about the coming step that is decided before a cell moves.
     pub fn plan(&mut self) -> Plan {
+        self.apply_edits(self.time(), (self.state.step + 1) as f64 * self.model.dt);
         let footprints = self.move_bodies();
         let camera = self.camera();
         self.state.focuses = if self.state.pinned.is_empty() { vec![camera.focus()] } else { self.state.pinned.clone() };
@@ -129,6 +132,7 @@ impl World {
             self.activate(index, footprints, &camera);
             stands.push(self.plan_stand(index, footprints));
         }
+        self.state.edited.clear();
         Plan { step: self.state.step, stands }
     }
 
@@ -184,6 +188,38 @@ impl World {
             state.driven = Some((ground, yaw, clearance));
         }
         driven && near
+    }
+
+    /// Changes the ground under a brush; the edit's `time` is not looked at. Pictures show it at once; bodies, awake patches and plants
+    /// follow in the next step. It is part of the state, and saved with it. What the scene itself edits needs no such call.
+    ///
+    /// # Errors
+    /// A number out of its range, or all edits together lie too far apart; then nothing has changed.
+    pub fn edit_terrain(&mut self, edit: &Edit) -> Result<(), SceneError> {
+        edit.check(&Trail::default())?;
+        self.change_ground(edit).map_err(|error| SceneError::in_file("", error.to_string()))
+    }
+
+    fn change_ground(&mut self, edit: &Edit) -> Result<(), TerrainError> {
+        let [low, high] = self.model.terrain.edit(edit)?;
+        let patch = |metres: f64| (metres / self.model.patch_side).floor() as i32;
+        for z in patch(low[1])..=patch(high[1]) {
+            for x in patch(low[0])..=patch(high[0]) {
+                self.state.edited.insert([x, z]);
+            }
+        }
+        Ok(())
+    }
+
+    /// What the scene edits after `from` and up to `to` \[s\], earliest first.
+    fn apply_edits(&mut self, from: f64, to: f64) {
+        let due = self.scene.edits.iter().filter(|edit| edit.time > from && edit.time <= to);
+        let mut due: Vec<Edit> = due.cloned().collect();
+        due.sort_by(|a, b| a.time.total_cmp(&b.time));
+        for edit in due {
+            // The model has made room for all of them.
+            let _ = self.change_ground(&edit);
+        }
     }
 
     /// β \[rad\] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps.
@@ -324,7 +360,9 @@ impl World {
             tolerance: stand.tolerance,
             rate: f64::from(self.model.rate),
         };
-        activate(&mut self.state.stands[index], &by);
+        let stand = &mut self.state.stands[index];
+        activate(stand, &by);
+        stand.counters.resampled += self.state.edited.iter().filter(|patch| stand.awake.contains_key(*patch)).count() as u64;
     }
 
     fn plan_stand(&self, index: usize, footprints: &[Footprint]) -> StandPlan {
@@ -364,6 +402,7 @@ impl World {
                 neighbours: [slot(-1, 0), slot(1, 0), slot(0, -1), slot(0, 1)],
                 keep: keep(awake),
                 woken: awake.woken,
+                edited: self.state.edited.contains(patch),
                 lag_woken: awake.lag_woken,
                 pairs: first..plan.pairs.len(),
             });

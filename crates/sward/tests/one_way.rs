@@ -3,12 +3,13 @@
 use std::path::{Path, PathBuf};
 
 /// Every module of the crate, earlier stages first; those of one line may know each other.
-const STAGES: [&[&str]; 15] = [
+const STAGES: [&[&str]; 16] = [
     &["math", "lanes"],
     &["scene"],
     &["terrain"],
     &["figure"],
     &["placement"],
+    &["growth"],
     &["wind"],
     &["interaction"],
     &["state"],
@@ -145,8 +146,10 @@ fn state_updates_use_only_our_own_arithmetic() {
         "interaction",
         "wind",
         "placement.rs",
+        "growth",
         "activation.rs",
         "terrain/detail.rs",
+        "terrain/edits.rs",
         "figure/clip.rs",
         "figure/hull.rs",
         "figure/part.rs",

@@ -36,6 +36,7 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "reed" at 5.0;
     "crossing" at 7.0;
     "downwash" at 6.5;
+    "road" at 6.4;
     "paper" at 5.2;
     "endless" at 5.0;
 };

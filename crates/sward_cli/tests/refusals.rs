@@ -46,6 +46,30 @@ fn fails_with_a_missing_terrain_file() {
 }
 
 #[test]
+fn fails_with_exclusions_masks_and_edits_that_cannot_be() {
+    let place = Place::new("growth");
+    let scene = |more: &str| format!("(\n    version: 1,\n    stands: [(species: Meadow)],\n    {more},\n)\n");
+    place.write("maps/text.png", "a picture");
+    for (more, words) in [
+        ("exclusions: [(area: Road(points: [(0, 0)]))]", &["x.ron:4:", "`points` has 1, allowed 2 to 256"][..]),
+        (
+            "exclusions: [(area: Disc(radius: 2), stands: [\"medow\"])]",
+            &["x.ron:4:", "no stand is called `medow`", "did you mean `meadow`?"],
+        ),
+        ("exclusions: [(area: Disk(radius: 2))]", &["x.ron:4:", "did you mean `Disc`?"]),
+        ("masks: [(path: \"\", size: (9, 9))]", &["x.ron:4:", "`path` is empty"]),
+        ("masks: [(path: \"maps/none.png\", size: (9, 9))]", &["maps/none.png", "cannot be read"]),
+        ("masks: [(path: \"maps/text.png\", size: (9, 9))]", &["maps/text.png", "not a readable PNG"]),
+        ("edits: [(radius: 0.1, change: Flatten())]", &["x.ron:4:", "`radius` is 0.1 m, allowed 0.5 to 200"]),
+        ("edits: [(change: Flatten()), (at: (9000, 9000), change: Flatten())]", &["x.ron:4:", "span 9006 m x 9006 m", "680 m"]),
+    ] {
+        place.write("x.ron", scene(more));
+        place.refuses(&["show", "x.ron"], words);
+        place.refuses(&["simulate", "x.ron", "--steps", "2", "-o", "data"], words);
+    }
+}
+
+#[test]
 fn fails_with_bodies_and_terrains_that_cannot_be_read() {
     let place = Place::new("bodies");
     let triangle = r#"{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],

@@ -1,11 +1,13 @@
 //! Terrain: a grid of rings displaced by the height field, coloured as turf and distant canopy. Twin of `ground.wgsl` of `sward_wgpu`.
 
 use glam::{Vec2, Vec3, Vec4};
-use sward::geometry::relief::{Relief, ReliefFrame, detail, height};
+use sward::geometry::relief::{Relief, ReliefFrame, detail, edit, height};
 use sward::geometry::rings::{self, Grid};
+use sward::growth::Near;
 use sward::picture::frame::FrameInput;
-use sward::shading::ground::ground;
+use sward::shading::ground::{earth, ground, stray};
 use sward::shading::look::Turf;
+use sward::terrain::{EditFrame, Edits};
 
 use crate::bins::{Bins, Rect};
 use crate::each::each;
@@ -33,11 +35,13 @@ pub(crate) struct Ground {
 }
 
 /// The corner `p` of the grid, `spacing` m from the next.
-fn point(sight: &Sight<'_>, relief: &Relief, frame: &ReliefFrame, p: Vec2, spacing: f32) -> Point {
+fn point(sight: &Sight<'_>, relief: &Relief, edits: &Edits, frame: &(ReliefFrame, EditFrame), p: Vec2, spacing: f32) -> Point {
     let load = |index: i32| relief.heights.get(index as usize).copied().unwrap_or(0.0);
+    let added = |column: i32, row: i32| edits.heights()[row as usize * edits.size()[0] as usize + column as usize];
+    let (frame, edit_frame) = frame;
     let at = |x: f32, z: f32| {
         let p = [p.x + x, p.y + z];
-        height(frame, p, load) + detail(frame, [sight.eye.x, sight.eye.z], p)
+        height(frame, p, load) + edit(edit_frame, p, added) + detail(frame, [sight.eye.x, sight.eye.z], p)
     };
     let reach = (0.5 * spacing).max(0.4);
     let slope = Vec2::new(at(reach, 0.0) - at(-reach, 0.0), at(0.0, reach) - at(0.0, -reach)) / (2.0 * reach);
@@ -50,10 +54,11 @@ impl Ground {
     pub(crate) fn new(sight: &Sight<'_>, relief: &Relief, input: &FrameInput<'_>, [columns, rows]: [usize; 2]) -> Self {
         let phase = input.origin.map(|metres| metres.rem_euclid(1024.0) as f32);
         let Grid { vertices, indices } = rings::build([input.view.position.x, input.view.position.z], phase);
-        let frame = relief.frame(input.origin);
+        let edits = input.terrain.edits();
+        let frame = (relief.frame(input.origin), edits.frame(input.origin));
         let chunks = vertices.chunks(CHUNK).collect();
         let points = each(chunks, |chunk: &[[f32; 3]]| {
-            chunk.iter().map(|[x, z, spacing]| point(sight, relief, &frame, Vec2::new(*x, *z), *spacing)).collect::<Vec<_>>()
+            chunk.iter().map(|[x, z, spacing]| point(sight, relief, edits, &frame, Vec2::new(*x, *z), *spacing)).collect::<Vec<_>>()
         });
         let points: Vec<Point> = points.into_iter().flatten().collect();
         let triangles: Vec<[u32; 3]> = indices.chunks_exact(3).map(|three| [three[0], three[1], three[2]]).collect();
@@ -62,12 +67,12 @@ impl Ground {
     }
 
     /// Draws what lies in a tile.
-    pub(crate) fn draw(&self, sight: &Sight<'_>, turf: &Turf, tile: &mut Tile, index: usize) {
+    pub(crate) fn draw(&self, sight: &Sight<'_>, turf: &Turf, growth: &Near, tile: &mut Tile, index: usize) {
         for triangle in self.bins.of(index) {
             let corners = self.triangles[*triangle as usize].map(|at| self.points[at as usize]);
             let (places, normals) = (corners.map(|corner| corner.place), corners.map(|corner| corner.normal));
             clipped(corners.map(|corner| corner.clip), sight.pixels(), |triangle| {
-                tile.draw(triangle, |quad| shade(sight, turf, quad, &places, &normals));
+                tile.draw(triangle, |quad| shade(sight, turf, growth, quad, &places, &normals));
             });
         }
     }
@@ -89,7 +94,7 @@ pub(crate) fn rect(clip: [Vec4; 3], sight: &Sight<'_>) -> Option<Rect> {
     Rect::under(low.to_array(), high.to_array(), sight.size, tile::SIDE)
 }
 
-fn shade(sight: &Sight<'_>, turf: &Turf, quad: &Quad, places: &[Vec3; 3], normals: &[Vec3; 3]) -> Shaded {
+fn shade(sight: &Sight<'_>, turf: &Turf, growth: &Near, quad: &Quad, places: &[Vec3; 3], normals: &[Vec3; 3]) -> Shaded {
     let mut shaded = Shaded { samples: quad.visible, ..Shaded::default() };
     for lane in (0..4).filter(|lane| quad.lane(*lane)) {
         let place = mix(quad.weights[lane], places);
@@ -98,7 +103,16 @@ fn shade(sight: &Sight<'_>, turf: &Turf, quad: &Quad, places: &[Vec3; 3], normal
         let view = to_eye / distance.max(1e-3);
         let normal = mix(quad.weights[lane], normals).normalize_or(Vec3::Y);
         let lit = sight.shadows.soft(shadows::place(&sight.frame, place, 0.06), 1.6);
-        let colour = ground(turf, sight.pattern(place), normal, view, distance, sight.frame.right.w, &sight.light, lit);
+        let (p, pixel) = (sight.pattern(place), sight.frame.right.w);
+        let mut colour = ground(turf, p, normal, view, distance, pixel, &sight.light, lit);
+        if !growth.is_empty() {
+            let blur = distance * pixel / normal.dot(view).max(0.03).sqrt();
+            let [red, green, blue, bare] = growth.bare((Vec2::new(place.x, place.z) + stray(p)).to_array(), blur);
+            if bare > 0.0 {
+                let own = Vec3::new(red, green, blue) / bare;
+                colour = colour.lerp(earth(own, p, normal, view, distance, pixel, &sight.light, lit), bare);
+            }
+        }
         shaded.colours[lane] = sight.air(-view).lerp(colour, sight.clear(distance));
     }
     shaded

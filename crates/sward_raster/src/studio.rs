@@ -110,6 +110,7 @@ impl Studio {
             uniform,
             cells: &world.state.stands[index].cells,
             terrain: &world.model.terrain,
+            stand,
             wind: &wind,
             intervals: stand.cells / NODE_CELLS,
         };
@@ -156,7 +157,7 @@ impl Studio {
             for (batch, bins) in batches.iter().zip(&bins) {
                 batch.draw(sight, &self.clumps, &mut tile, bins.of(index));
             }
-            ground.draw(sight, &self.turf, &mut tile, index);
+            ground.draw(sight, &self.turf, &input.growth, &mut tile, index);
             sky::draw(sight, &mut tile);
             tile.resolve(sight.frame.forward.w)
         });

@@ -102,6 +102,7 @@ impl Renderer {
         let uniform = FrameUniform::new(input, self.relief.frame(input.origin), size, self.shadow_reach);
         gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
         self.ground.place(gpu, [input.view.position.x, input.view.position.z], input.origin);
+        self.ground.lay(gpu, input.terrain, &input.growth);
         self.bodies.place(gpu, input.bodies);
         let ready = self.plants.ready(gpu, &self.frame, &self.shadow, plants);
         let targets = match self.targets.take() {

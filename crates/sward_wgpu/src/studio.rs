@@ -9,6 +9,7 @@ use crate::compute::GpuStep;
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::{Gpu, GpuError};
 use crate::picture::{Picture, Renderer, Setup};
+use crate::render::growth_maps::GrowthMaps;
 use crate::render::plants::{PlantBatch, PlantCount, PlantDraws};
 use crate::render::prepare::{BatchBuffers, PreparePass};
 
@@ -29,6 +30,8 @@ pub struct Studio {
     meshes: Vec<Option<usize>>,
     /// Near and plain plants of each stand.
     batches: Vec<[BatchBuffers; 2]>,
+    /// Where each stand grows.
+    growth: Vec<GrowthMaps>,
     /// Cells uploaded from the CPU, per stand.
     uploaded: Vec<CellBuffers>,
 }
@@ -45,7 +48,8 @@ impl Studio {
         let meshes = subject::meshes(world).iter().map(|mesh| mesh.as_ref().map(|mesh| renderer.add_mesh(gpu, mesh))).collect();
         let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand)).collect();
         let batches = world.model.stands.iter().map(|_| Default::default()).collect();
-        let studio = Self { renderer, prepare: PreparePass::new(gpu, world), looks, meshes, batches, uploaded };
+        let growth = world.model.stands.iter().map(|stand| GrowthMaps::new(gpu, stand)).collect();
+        let studio = Self { renderer, prepare: PreparePass::new(gpu, world), looks, meshes, batches, growth, uploaded };
         gpu.check()?;
         Ok(studio)
     }
@@ -64,8 +68,8 @@ impl Studio {
     /// What the device reports.
     pub fn draw_before(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64, size: [u32; 2]) -> Result<Picture, GpuError> {
         if matches!(cells, CellsAt::Cpu) {
-            for (buffers, state) in self.uploaded.iter_mut().zip(&world.state.stands) {
-                buffers.reserve(gpu, state, world.model.terrain.is_flat())?;
+            for ((buffers, state), stand) in self.uploaded.iter_mut().zip(&world.state.stands).zip(&world.model.stands) {
+                buffers.reserve(gpu, state, stand.is_level(&world.model.terrain))?;
                 buffers.upload(gpu, state);
             }
         }
@@ -100,11 +104,14 @@ impl Studio {
     /// Fills the batches; returns the number of plants in each.
     fn prepare_plants(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt, seen: &Seen) -> Vec<[u32; 2]> {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        self.prepare.follow(gpu, world);
         let share = world.scene.budget.visible_plants / (world.model.stands.len().max(1) as u32);
         let mut filled = Vec::new();
         for (index, stand) in world.model.stands.iter().enumerate() {
             let look = &self.looks[index];
-            let (plans, fullness) = plan(world, index, seen, look, share);
+            let (mut plans, fullness) = plan(world, index, seen, look, share);
+            let growth = &mut self.growth[index];
+            growth.place(gpu, world, stand, &mut plans);
             let stored = match cells {
                 CellsAt::Gpu(step) => step.cells(index).unwrap_or(&self.uploaded[index]),
                 CellsAt::Cpu => &self.uploaded[index],
@@ -112,7 +119,7 @@ impl Studio {
             for (plain, batch) in plans.iter().enumerate() {
                 let buffers = &mut self.batches[index][plain];
                 let seen = Seen { fullness, ..*seen };
-                self.prepare.record(gpu, &mut encoder, world, stand, batch, plain == 1, &seen, look, stored, buffers);
+                self.prepare.record(gpu, &mut encoder, world, stand, batch, plain == 1, &seen, look, stored, &growth.view, buffers);
             }
             filled.push([plans[0].plants, plans[1].plants]);
         }

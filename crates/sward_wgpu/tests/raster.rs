@@ -11,6 +11,7 @@ fn main() -> std::process::ExitCode {
         ("lawn", rastered::lawn),
         ("reed", rastered::reed),
         ("crossing", rastered::crossing),
+        ("road", rastered::road),
         ("detail", rastered::detail),
         ("paper", rastered::paper),
         ("endless", rastered::endless),

@@ -4,7 +4,7 @@
 //! can reach for kilometres.
 
 use crate::math::floored;
-use crate::terrain::{Detail, TerrainDetail};
+use crate::terrain::{Detail, EditFrame, TerrainDetail};
 
 /// Ground height in WGSL. The host declares `fn relief_load(index: i32) -> f32`.
 pub const WGSL: &str = include_str!("relief.wgsl");
@@ -79,6 +79,27 @@ pub fn detail(frame: &ReliefFrame, camera: [f32; 2], p: [f32; 2]) -> f32 {
     let away = [p[0] - camera[0], p[1] - camera[1]];
     let resolved = ((away[0] * away[0] + away[1] * away[1]).sqrt() / 24.0 - 1.0).max(0.0);
     frame.detail.seen(frame.detail_anchor, p, resolved)
+}
+
+/// Height that edits add at `p` (x, z), m in frame space; `load` gives a sample by column and row. Twin: `relief_edit`.
+pub fn edit(frame: &EditFrame, p: [f32; 2], load: impl Fn(i32, i32) -> f32) -> f32 {
+    let size = frame.size.map(|count| count as i32);
+    let at = [0, 1].map(|axis| p[axis] * frame.mapping[0] + frame.mapping[2 + axis]);
+    let corner = at.map(floored);
+    if size[0] == 0 || (0..2).any(|axis| corner[axis] < -2 || corner[axis] > size[axis]) {
+        return 0.0;
+    }
+    let (wx, wz) = (weights(at[0] - corner[0] as f32), weights(at[1] - corner[1] as f32));
+    let mut sum = 0.0;
+    for j in 0..4 {
+        for i in 0..4 {
+            let (column, row) = (corner[0] + i - 1, corner[1] + j - 1);
+            if column >= 0 && row >= 0 && column < size[0] && row < size[1] {
+                sum += wx[i as usize] * wz[j as usize] * load(column, row);
+            }
+        }
+    }
+    sum
 }
 
 /// Height of the samples at `p` (x, z), metres in frame space; `load` gives a sample, m.

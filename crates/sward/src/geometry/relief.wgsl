@@ -36,3 +36,26 @@ fn relief_height(mapping: vec4<f32>, size: vec2<u32>, p: vec2<f32>) -> f32 {
     }
     return sum;
 }
+
+// Height that edits add at `p`, m. `mapping`: samples per metre (x), sample position of the frame origin (zw); `size`: columns, rows,
+// place of the first sample.
+fn relief_edit(mapping: vec4<f32>, size: vec3<u32>, p: vec2<f32>) -> f32 {
+    let counts = vec2<i32>(size.xy);
+    let at = p * mapping.x + mapping.zw;
+    let corner = vec2<i32>(floor(at));
+    if size.x == 0u || any(corner < vec2<i32>(-2)) || any(corner > counts) {
+        return 0.0;
+    }
+    let wx = relief_weights(at.x - floor(at.x));
+    let wz = relief_weights(at.y - floor(at.y));
+    var sum = 0.0;
+    for (var j = 0; j < 4; j++) {
+        for (var i = 0; i < 4; i++) {
+            let place = corner + vec2<i32>(i, j) - 1;
+            if all(place >= vec2<i32>(0)) && all(place < counts) {
+                sum += wx[i] * wz[j] * relief_load(i32(size.z) + place.y * counts.x + place.x);
+            }
+        }
+    }
+    return sum;
+}

@@ -3,8 +3,10 @@
 use glam::{DVec2, Mat4, Quat, Vec3, Vec4};
 
 use crate::geometry::relief::ReliefFrame;
+use crate::growth::Near;
 use crate::shading::common::PERIOD;
 use crate::shading::sky::Light;
+use crate::terrain::Terrain;
 
 /// Texels along each side of the sun's shadow map (`2048` in `shadows.wgsl`).
 pub const SHADOW_SIDE: u32 = 2048;
@@ -85,6 +87,10 @@ pub struct FrameInput<'a> {
     pub bodies: &'a [BodyDraw],
     /// Seconds; moves the clouds.
     pub time: f64,
+    /// The ground, for what has been added to it.
+    pub terrain: &'a Terrain,
+    /// Where the ground is bare, relative to the frame origin.
+    pub growth: Near,
 }
 
 /// Uniform `Frame` of `frame.wgsl`.
@@ -123,6 +129,10 @@ pub struct FrameUniform {
     pub detail_place: Vec4,
     /// That cell; octaves; seed.
     pub detail_cell: [i32; 4],
+    /// What was added to the ground: samples per metre, not used, sample position of the frame origin.
+    pub edit: Vec4,
+    /// Columns, rows, place of the first sample, not used.
+    pub edit_size: [u32; 4],
 }
 
 impl FrameUniform {
@@ -137,6 +147,7 @@ impl FrameUniform {
         let turn = Mat4::from_rotation_translation(view.rotation, view.position).inverse();
         let projection = Mat4::perspective_infinite_reverse_rh(view.field_of_view, aspect, NEAR);
         let phase = DVec2::from(input.origin).rem_euclid(DVec2::splat(PERIOD)).as_vec2();
+        let edits = input.terrain.edits().frame(input.origin);
         let drift = (input.time * 0.002).rem_euclid(256.0) as f32;
         Self {
             view_projection: projection * turn,
@@ -158,6 +169,8 @@ impl FrameUniform {
                 let [x, z] = relief.detail_anchor.0;
                 [x, z, relief.detail.octaves as i32, relief.detail.seed as i32]
             },
+            edit: Vec4::from(edits.mapping),
+            edit_size: [edits.size[0], edits.size[1], input.terrain.heights().len() as u32, 0],
         }
     }
 }

@@ -37,6 +37,10 @@ pub struct PatchDraw {
     pub first: u32,
     /// Places of the drawing order it may fill.
     pub count: u32,
+    /// Where its growth map is stored, or none: on a GPU a square of cells of a texture.
+    pub growth: u32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: [u32; 3],
 }
 
 /// The patches of one batch: same stand, same number of drawn segments.
@@ -167,5 +171,7 @@ fn draw(world: &World, state: &StandState, patch: PatchKey, origin: PatchKey, fi
         lags: around(|awake| awake.lag),
         first,
         count,
+        growth: NONE,
+        unused: [0; 3],
     }
 }

@@ -96,6 +96,8 @@ pub struct Preparing<'a> {
     pub cells: &'a Cells,
     /// Ground.
     pub terrain: &'a Terrain,
+    /// Where the stand grows.
+    pub stand: &'a StandModel,
     /// The wind on the nodes of the stand.
     pub wind: &'a WindField,
     /// Node intervals along a patch side.
@@ -179,19 +181,23 @@ impl Preparing<'_> {
     /// Solves the plants of one patch: `draw.count` plants, and `drawn + 1` joints of each. Places without a plant get height 0.
     pub fn prepare_patch(&self, draw: &PatchDraw, plants: &mut [Plant], joints: &mut [[f32; 4]]) {
         let phases = self.wind.patch_phases(draw.patch, self.intervals);
+        let growth = self.stand.growth_map(self.terrain, draw.patch);
         let per_plant = self.uniform.drawn as usize + 1;
         for (rank, (plant, joints)) in plants.iter_mut().zip(joints.chunks_exact_mut(per_plant)).enumerate() {
-            *plant = self.prepare_plant(draw, &phases, rank as u32, joints).unwrap_or_default();
+            *plant = self.prepare_plant(draw, &phases, growth.as_deref(), rank as u32, joints).unwrap_or_default();
         }
     }
 
-    fn prepare_plant(&self, draw: &PatchDraw, phases: &Phases, rank: u32, joints: &mut [[f32; 4]]) -> Option<Plant> {
+    fn prepare_plant(&self, draw: &PatchDraw, phases: &Phases, growth: Option<&[u8]>, rank: u32, joints: &mut [[f32; 4]]) -> Option<Plant> {
         let prepare = &self.uniform;
         let cell = ordered_cell(rank, prepare.bits);
         if cell.iter().any(|at| *at >= prepare.placement.cells) {
             return None;
         }
-        let placed = placement::plant(&prepare.placement, draw.patch, cell)?;
+        let mut placed = placement::plant(&prepare.placement, draw.patch, cell)?;
+        if let Some(growth) = growth {
+            placed = placement::grown(placed, growth[(cell[1] * prepare.placement.cells + cell[0]) as usize])?;
+        }
         let ground = self.terrain.height(draw.anchor, placed.root);
         let root = Vec3::new(draw.offset[0] + placed.root[0], ground, draw.offset[1] + placed.root[1]);
         let away = root.distance(Vec3::new(prepare.camera[0], prepare.camera[1], prepare.camera[2]));

@@ -7,6 +7,7 @@ use crate::geometry::figure::figure_mesh;
 use crate::geometry::mesh::{Mesh, PAINT};
 use crate::geometry::relief::Relief;
 use crate::geometry::truck::truck;
+use crate::growth::{Limit, MOST_RECORDS, Near};
 use crate::interaction::Pose;
 use crate::response::StandModel;
 use crate::scene::{Part, Shape, Species};
@@ -23,6 +24,9 @@ const PAINTS: [[f32; 3]; 6] =
 
 /// Half side of the square around the focus that casts shadows, metres.
 pub const SHADOW_REACH: f32 = 36.0;
+
+/// Farther off than this, m, bare ground is not told from the rest: the air hides it.
+const BARE_SEEN: f64 = 4000.0;
 
 /// How each stand of a world looks.
 pub fn looks(world: &World) -> Vec<Look> {
@@ -101,8 +105,28 @@ impl Frame {
         Mat4::from_translation(self.point([pose.ground[0], pose.height, pose.ground[1]])) * Mat4::from_mat3(axes)
     }
 
+    /// What keeps the ground in sight bare, nearest first if it is more than a picture can show.
+    fn growth(&self, world: &World, eye: Vec3) -> Near {
+        let limits = &world.model.limits;
+        let at = [self.corner[0] + f64::from(eye.x), self.corner[1] + f64::from(eye.z)];
+        let away = |limit: &Limit| {
+            let [low, high] = limit.outline.bounds();
+            let off = [0, 1].map(|axis| (low[axis] - at[axis]).max(at[axis] - high[axis]).max(0.0));
+            off[0].hypot(off[1])
+        };
+        let mut shown: Vec<(usize, f64)> = limits.iter().map(|limit| away(limit)).enumerate().collect();
+        shown.retain(|(_, away)| *away < BARE_SEEN);
+        shown.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        shown.truncate(MOST_RECORDS);
+        // In the scene's order: the last one lies on top.
+        shown.sort_by_key(|(index, _)| *index);
+        let seen = [f64::from(eye.x), f64::from(eye.z)];
+        let square = [seen.map(|at| at - BARE_SEEN), seen.map(|at| at + BARE_SEEN)];
+        Near::of(shown.iter().map(|(index, _)| &*limits[*index]), self.corner, square)
+    }
+
     /// Everything of the picture but its plants.
-    pub fn input<'a>(&self, world: &World, view: &View, bodies: &'a [BodyDraw]) -> FrameInput<'a> {
+    pub fn input<'a>(&self, world: &'a World, view: &View, bodies: &'a [BodyDraw]) -> FrameInput<'a> {
         let light = &world.scene.light;
         let (eye, target) = (self.point(view.eye), self.point(view.target));
         // Shadows are wanted where one looks, but not farther than they would be seen.
@@ -124,6 +148,8 @@ impl Frame {
             },
             bodies,
             time: world.time() - self.behind * world.model.dt,
+            terrain: &world.model.terrain,
+            growth: self.growth(world, eye),
         }
     }
 }

@@ -1,8 +1,11 @@
 //! What a response reads of a stand: the compiled half of what an author wrote about it.
 
 use super::continuum::{Coefficients, LagCoefficients};
+use crate::growth::Growth;
 use crate::placement::PlacementParameters;
 use crate::scene::SpeciesModel;
+use crate::state::PatchKey;
+use crate::terrain::Terrain;
 
 /// A stand, compiled.
 #[derive(Clone, Debug)]
@@ -25,6 +28,20 @@ pub struct StandModel {
     pub lag: LagCoefficients,
     /// Where plants stand.
     pub placement: PlacementParameters,
+    /// Where it grows less, or not at all.
+    pub growth: Growth,
     /// Deviation that counts as rest, rad and rad/s.
     pub tolerance: f32,
+}
+
+impl StandModel {
+    /// The growth map of a patch: see [`Growth::map`].
+    pub fn growth_map(&self, terrain: &Terrain, patch: PatchKey) -> Option<Box<[u8]>> {
+        self.growth.map(&self.placement, terrain, patch, self.patch_side)
+    }
+
+    /// All patches have the same level ground, with plants in every cell: then none is stored.
+    pub fn is_level(&self, terrain: &Terrain) -> bool {
+        terrain.is_flat() && self.growth.is_free()
+    }
 }

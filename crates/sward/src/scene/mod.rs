@@ -28,7 +28,9 @@ mod budget;
 mod camera;
 mod continuum;
 mod detail;
+mod edit;
 mod error;
+mod exclusion;
 mod explain;
 mod field;
 mod interactor;
@@ -56,7 +58,9 @@ pub use budget::{Beyond, Budget};
 pub use camera::{Camera, CameraKey};
 pub use continuum::{Continuum, ContinuumOverrides, Lag};
 pub use detail::Detail;
+pub use edit::{Change, Edit, Flatten, Raise};
 pub use error::{Problem, SceneError, Trail};
+pub use exclusion::{Area, Disc, Exclusion, Mask, Outline, Rectangle, Road};
 pub use field::Field;
 pub use interactor::Interactor;
 pub use light::Light;
@@ -94,8 +98,14 @@ parameters! {
         terrain: Terrain = Terrain::Flat(Flat::default()), "";
         /// Bumps added to the ground.
         detail: Option<Detail> = None, "";
+        /// Changes of the ground while the scene runs.
+        edits: Vec<Edit> = Vec::new(), "";
         /// What grows.
         stands: Vec<Stand> = Vec::new(), "";
+        /// Where nothing grows: roads, buildings.
+        exclusions: Vec<Exclusion> = Vec::new(), "";
+        /// Pictures that say how much grows where; at most 8.
+        masks: Vec<Mask> = Vec::new(), "";
         /// The sources whose sum is the wind; none is calm air.
         wind: Vec<WindSource> = Vec::new(), "";
         /// The bodies that push plants.

@@ -3,7 +3,7 @@
 use super::error::{Problem, Trail};
 use super::explain::suggest;
 use super::locate::locate;
-use super::{Camera, FORMAT_VERSION, Flow, Interactor, Path, Scene, Shape, Stand, Terrain, WindSource};
+use super::{Area, Camera, Edit, FORMAT_VERSION, Flow, Interactor, Path, Scene, Shape, Stand, Terrain, WindSource};
 
 type Checked = Result<(), Problem>;
 
@@ -16,6 +16,8 @@ pub(super) fn check(scene: &Scene) -> Checked {
     let stands = Trail::default().key("stands");
     each(&scene.stands, &stands, stand)?;
     unique(scene.stands.iter().map(Stand::label), &stands, "stands")?;
+    growth(scene)?;
+    edits(&scene.edits)?;
     let interactors = Trail::default().key("interactors");
     each(&scene.interactors, &interactors, interactor)?;
     unique(scene.interactors.iter().map(|body| body.name.clone()), &interactors, "interactors")?;
@@ -105,7 +107,81 @@ fn stand(stand: &Stand, trail: &Trail) -> Checked {
         let message = format!("`height` runs from {low} down to {high}");
         return Err(Problem::at(trail.clone().key("height"), message).help(format!("({high}, {low})")));
     }
+    if let Some([low, high]) = stand.slope.filter(|[low, high]| low > high) {
+        let message = format!("`slope` runs from {low} down to {high}");
+        return Err(Problem::at(trail.clone().key("slope"), message).help(format!("({high}, {low})")));
+    }
     Ok(())
+}
+
+/// Most points of a road or an outline.
+const MOST_POINTS: usize = 256;
+/// Most masks: together they stay far below what one binding of a GPU holds.
+const MOST_MASKS: usize = 8;
+
+fn growth(scene: &Scene) -> Checked {
+    let trail = Trail::default().key("exclusions");
+    each(&scene.exclusions, &trail, |exclusion, trail| {
+        let points = |points: &[[f64; 2]], least: usize| {
+            let place = trail.clone().key("area").key("points");
+            match points.len() {
+                count if (least..=MOST_POINTS).contains(&count) => Ok(()),
+                count => Err(Problem::at(place, format!("`points` has {count}, allowed {least} to {MOST_POINTS}"))),
+            }
+        };
+        match &exclusion.area {
+            Area::Polygon(outline) => points(&outline.points, 3)?,
+            Area::Road(road) => points(&road.points, 2)?,
+            Area::Box(_) | Area::Disc(_) => (),
+        }
+        known_stands(&exclusion.stands, &scene.stands, trail)
+    })?;
+    let trail = Trail::default().key("masks");
+    if scene.masks.len() > MOST_MASKS {
+        let message = format!("this is one mask more than {MOST_MASKS}");
+        return Err(Problem::at(trail.index(MOST_MASKS), message).help("paint several into one picture"));
+    }
+    each(&scene.masks, &trail, |mask, trail| {
+        if mask.path.is_empty() {
+            return Err(Problem::at(trail.clone().key("path"), "`path` is empty").help("name a PNG, like \"assets/clearing.png\""));
+        }
+        known_stands(&mask.stands, &scene.stands, trail)
+    })
+}
+
+/// Room that one edit takes beyond its own square, m.
+const EDIT_MARGIN: f64 = 36.0;
+/// Largest rectangle round all edits, m².
+const EDITED: f64 = 524_288.0;
+
+fn edits(edits: &[Edit]) -> Checked {
+    let (mut low, mut high) = ([f64::MAX; 2], [f64::MIN; 2]);
+    for (index, edit) in edits.iter().enumerate() {
+        for axis in 0..2 {
+            low[axis] = low[axis].min(edit.at[axis] - f64::from(edit.radius));
+            high[axis] = high[axis].max(edit.at[axis] + f64::from(edit.radius));
+        }
+        let [x, z] = [0, 1].map(|axis| high[axis] - low[axis]);
+        if (x + EDIT_MARGIN) * (z + EDIT_MARGIN) > EDITED {
+            let place = Trail::default().key("edits").index(index).key("at");
+            let message = format!("the edits up to this one span {x} m x {z} m");
+            return Err(Problem::at(place, message).help("keep them within 680 m x 680 m of each other"));
+        }
+    }
+    Ok(())
+}
+
+/// Every name is that of a stand.
+fn known_stands(names: &[String], stands: &[Stand], trail: &Trail) -> Checked {
+    let labels: Vec<String> = stands.iter().map(Stand::label).collect();
+    let known: Vec<&str> = labels.iter().map(String::as_str).collect();
+    match names.iter().enumerate().find(|(_, name)| !known.contains(&name.as_str())) {
+        Some((index, name)) => {
+            let place = trail.clone().key("stands").index(index);
+            Err(Problem::at(place, format!("no stand is called `{name}`")).help(suggest(name, &known)))
+        }
+        None => Ok(()),
+    }
 }
 
 fn interactor(body: &Interactor, trail: &Trail) -> Checked {

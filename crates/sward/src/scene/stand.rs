@@ -51,6 +51,8 @@ parameters! {
         clump_size: f32 = 5.0, "m" in 0.5..=100.0;
         /// Least and greatest plant height. Without it the species' own.
         height: Option<[f32; 2]> = None, "m" in 0.01..=5.0;
+        /// Least and greatest steepness of the ground on which it grows, rise over run: 1 is 45 degrees. Without it anywhere.
+        slope: Option<[f32; 2]> = None, "" in 0.0..=100.0;
         /// How the plants move, where it differs from the species.
         response: Option<Response> = None, "";
         /// How the plants look, where it differs from the species.

@@ -71,7 +71,8 @@ proptest! {
 #[test]
 fn arbitrary_scenes_reach_every_choice() {
     let texts: String = (0..400).map(|seed| Scene::arbitrary(None, &mut Source::new(seed)).to_ron()).collect();
-    let choices = [Terrain::NAMES, Species::NAMES, WindSource::NAMES, Shape::NAMES, Path::NAMES, Response::NAMES];
+    let choices =
+        [Terrain::NAMES, Species::NAMES, WindSource::NAMES, Shape::NAMES, Path::NAMES, Response::NAMES, Area::NAMES, Change::NAMES];
     for name in choices.concat() {
         // Flat and Meadow may be left out as defaults, but not with other values inside.
         assert!(texts.contains(name), "{name}");

@@ -75,3 +75,18 @@ pub fn ground(turf_of: &Turf, p: Vec2, normal: Vec3, view: Vec3, distance: f32, 
     let shaded = litter * (light.sun_colour * (lit * 0.12 * normal.dot(light.sun).max(0.0)) + light.sky * 0.20);
     (canopy * (1.5 - 0.5 * cover)).lerp(shaded, bare * cover)
 }
+
+/// Radiance of bare earth: `colour` is what it sends back of light. The rest as in [`ground`].
+pub fn earth(colour: Vec3, p: Vec2, normal: Vec3, view: Vec3, distance: f32, pixel: f32, light: &Light, lit: f32) -> Vec3 {
+    let footprint = distance * pixel / normal.dot(view).max(0.03);
+    let grain = turf(p, footprint);
+    let broad = 0.80 + 0.40 * noise(p * 0.25, 256, 31);
+    let albedo = colour * (broad * (0.45 + 0.55 * grain));
+    albedo * (light.sun_colour * (lit * FRAC_1_PI * normal.dot(light.sun).max(0.0)) + light.sky.lerp(light.ground, 0.25) * 0.85)
+}
+
+/// How far the rim of bare ground strays at `p`, m: no road has an edge like a ruler's.
+pub fn stray(p: Vec2) -> Vec2 {
+    let along = |salt: u32| 0.30 * (noise(p, 1024, salt) - 0.5) + 0.22 * (noise(p * 4.0, 4096, salt + 2) - 0.5);
+    Vec2::new(along(32), along(33))
+}

@@ -58,3 +58,21 @@ fn shading_ground(turf: ShadingTurf, p: vec2<f32>, normal: vec3<f32>, view: vec3
     let shaded = litter * (light.sun_colour * (lit * 0.12 * max(dot(normal, light.sun), 0.0)) + light.sky * 0.20);
     return mix(canopy * mix(1.5, 1.0, turf.mean.y), shaded, bare * turf.mean.y);
 }
+
+// Radiance of bare earth: `colour` is what it sends back of light. The rest as in shading_ground.
+fn shading_earth(colour: vec3<f32>, p: vec2<f32>, normal: vec3<f32>, view: vec3<f32>, distance: f32, pixel: f32, light: ShadingLight, lit: f32) -> vec3<f32> {
+    let footprint = distance * pixel / max(dot(normal, view), 0.03);
+    let grain = shading_turf(p, footprint);
+    let broad = 0.80 + 0.40 * shading_noise(p * 0.25, 256, 31u);
+    let albedo = colour * (broad * (0.45 + 0.55 * grain));
+    return albedo * (light.sun_colour * (lit * 0.31830987 * max(dot(normal, light.sun), 0.0)) + mix(light.sky, light.ground, 0.25) * 0.85);
+}
+
+fn shading_stray_along(p: vec2<f32>, salt: u32) -> f32 {
+    return 0.30 * (shading_noise(p, 1024, salt) - 0.5) + 0.22 * (shading_noise(p * 4.0, 4096, salt + 2u) - 0.5);
+}
+
+// How far the rim of bare ground strays at `p`, m: no road has an edge like a ruler's.
+fn shading_stray(p: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(shading_stray_along(p, 32u), shading_stray_along(p, 33u));
+}

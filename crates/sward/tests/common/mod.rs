@@ -47,8 +47,17 @@ impl Torus {
         let world = world(text);
         let stand = world.model.stands[0].clone();
         let side = stand.cells as usize;
-        let patch =
-            PatchPlan { patch: [0, 0], slot: 0, lag: NONE, neighbours: [0; 4], keep: 1.0, woken: false, lag_woken: false, pairs: 0..0 };
+        let patch = PatchPlan {
+            patch: [0, 0],
+            slot: 0,
+            lag: NONE,
+            neighbours: [0; 4],
+            keep: 1.0,
+            woken: false,
+            edited: false,
+            lag_woken: false,
+            pairs: 0..0,
+        };
         let wind = world.wind(&stand);
         let plan =
             StandPlan { tile_wind: wind.clone(), wind, patches: vec![patch], contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new() };

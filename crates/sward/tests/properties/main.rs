@@ -1,4 +1,4 @@
-//! What must hold for every scene: patches, energy of memory, activation, placement, footprints, callers, far places.
+//! What must hold for every scene: patches, energy of memory, activation, placement, growth, edits, footprints, callers, far places.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -6,10 +6,12 @@ mod common;
 mod activation;
 mod callers;
 mod downwash;
+mod edits;
 mod far;
 mod finite;
 mod flips;
 mod footprints;
+mod growth;
 mod patches;
 mod placement;
 mod residents;

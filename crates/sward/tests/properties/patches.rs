@@ -64,6 +64,7 @@ impl Sheet {
                     neighbours: around,
                     keep: 1.0,
                     woken: step == 0,
+                    edited: false,
                     lag_woken: false,
                     pairs: first..plan.pairs.len(),
                 });

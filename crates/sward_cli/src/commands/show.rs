@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use sward::response::StandModel;
-use sward::scene::{Flow, Interactor, Path, Shape, Terrain, WindSource};
+use sward::scene::{Flow, Interactor, Path, Scene, Shape, Terrain, WindSource};
 use sward::world::World;
 
 use crate::arguments;
@@ -30,6 +30,9 @@ fn page(opened: &Opened, world: &World) -> String {
     line(&mut text, "scene", &format!("{title}, seed {}, {} steps per second", scene.seed, scene.steps_per_second));
     line(&mut text, "field", &field(world));
     line(&mut text, "terrain", &terrain(opened, world));
+    if let Some(limits) = limits(&opened.scene) {
+        line(&mut text, "", &limits);
+    }
     for (index, stand) in world.model.stands.iter().enumerate() {
         let species = format!("{:?}", scene.stands[index].species).to_lowercase();
         text += &show_stand(world, index, stand, &species);
@@ -96,6 +99,14 @@ fn terrain(opened: &Opened, world: &World) -> String {
     ground + &filled + &detail
 }
 
+/// What keeps plants away, and what changes the ground.
+fn limits(scene: &Scene) -> Option<String> {
+    let counts = [(scene.exclusions.len(), "exclusion"), (scene.masks.len(), "mask"), (scene.edits.len(), "edit")];
+    let named = counts.iter().filter(|(count, _)| *count > 0);
+    let named: Vec<String> = named.map(|(count, name)| format!("{count} {name}{}", plural(*count as u32))).collect();
+    (!named.is_empty()).then(|| format!("with {}", named.join(", ")))
+}
+
 fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) -> String {
     let mut text = String::from("\n");
     let [low, high] = stand.species.height;
@@ -137,7 +148,7 @@ fn plants(world: &World, stand: &StandModel) -> String {
 
 /// Two time levels of β and ω, and the slopes where the ground is not flat.
 fn patch_bytes(world: &World, stand: &StandModel) -> u64 {
-    let slopes = if world.model.terrain.is_flat() { 0 } else { 2 };
+    let slopes = if stand.is_level(&world.model.terrain) { 0 } else { 2 };
     NUMBER * (2 * 4 + slopes) * u64::from(stand.cells) * u64::from(stand.cells)
 }
 

@@ -13,6 +13,8 @@ pub struct CellBuffers {
     /// Slots there is room for.
     slots: u32,
     lag_slots: u32,
+    /// Slots there is ground for.
+    ground_slots: u32,
     /// Time level n; 4·cells² values a slot.
     pub now: wgpu::Buffer,
     /// Time level n−1.
@@ -47,6 +49,7 @@ impl CellBuffers {
             ring_planes: if lag.kind == 1 && lag.segments > 1 { 2 * lag.ring } else { 0 },
             slots: 0,
             lag_slots: 0,
+            ground_slots: 0,
             now: empty(),
             old: empty(),
             ground: empty(),
@@ -60,6 +63,11 @@ impl CellBuffers {
         u64::from(self.cells) * u64::from(self.cells)
     }
 
+    /// Whether the ground under cells is stored.
+    pub fn has_ground(&self) -> bool {
+        self.ground_slots > 0
+    }
+
     /// Makes room for the slots that `state` uses, keeping what is stored. True if buffers were replaced.
     ///
     /// # Errors
@@ -67,7 +75,8 @@ impl CellBuffers {
     pub fn reserve(&mut self, gpu: &Gpu, state: &StandState, level: bool) -> Result<bool, GpuError> {
         let most = |pick: fn(&Awake) -> u32| state.awake.values().map(pick).filter(|slot| *slot != NONE).max().map_or(0, |slot| slot + 1);
         let (slots, lag_slots) = (most(|awake| awake.slot), most(|awake| awake.lag));
-        if slots <= self.slots && lag_slots <= self.lag_slots {
+        let grounded = level || slots <= self.ground_slots;
+        if slots <= self.slots && lag_slots <= self.lag_slots && grounded {
             return Ok(false);
         }
         let limit = gpu.device.limits().max_storage_buffer_binding_size / 4;
@@ -97,7 +106,8 @@ impl CellBuffers {
         grow(&mut self.old, "cells before", have * 4 * area, want * 4 * area);
         grow(&mut self.nodes, "rest at wind nodes", have * nodes, want * nodes);
         if !level {
-            grow(&mut self.ground, "ground under cells", have * 3 * area, want * 3 * area);
+            grow(&mut self.ground, "ground under cells", u64::from(self.ground_slots) * 3 * area, want * 3 * area);
+            self.ground_slots = slots;
         }
         let (have, want) = (u64::from(self.lag_slots), u64::from(lag_slots));
         let (upper, ring) = (u64::from(self.upper_planes) * area, u64::from(self.ring_planes) * area);
@@ -124,7 +134,11 @@ impl CellBuffers {
             let (slot, lag) = (awake.slot as usize, awake.lag as usize);
             write(&self.now, state.cells.now.get(slot), awake.slot);
             write(&self.old, state.cells.old.get(slot), awake.slot);
-            write(&self.ground, state.cells.ground.get(slot).map(|ground| &ground.values), awake.slot);
+            if let Some(ground) = state.cells.ground.get(slot).filter(|_| self.ground_slots > awake.slot) {
+                let planes = ground.planes(self.area() as usize);
+                let bytes = bytemuck::cast_slice(&planes);
+                gpu.queue.write_buffer(&self.ground, u64::from(awake.slot) * bytes.len() as u64, bytes);
+            }
             write(&self.upper, state.cells.lag.get(lag), awake.lag);
             write(&self.past, state.cells.history.get(lag), awake.lag);
         }

@@ -49,7 +49,7 @@ impl StandUniform {
             cells: stand.cells,
             nodes: stand.cells / NODE_CELLS + 3,
             gusty: u32::from(gusty),
-            level: u32::from(world.model.terrain.is_flat()),
+            level: u32::from(stand.is_level(&world.model.terrain)),
             rest: equilibrium(plan.wind.mean, k_w),
             wind_response: k_w,
             height: world.model.terrain.height_at(0.0, 0.0) as f32,

@@ -63,7 +63,7 @@ impl GpuStep {
         };
         for (stand, state) in world.model.stands.iter().zip(&world.state.stands) {
             let mut buffers = CellBuffers::new(gpu, stand);
-            buffers.reserve(gpu, state, world.model.terrain.is_flat())?;
+            buffers.reserve(gpu, state, stand.is_level(&world.model.terrain))?;
             buffers.upload(gpu, state);
             step.stands.push(buffers);
         }
@@ -144,13 +144,14 @@ impl GpuStep {
     ) -> Result<(), GpuError> {
         let (stand, state) = (&world.model.stands[index], &world.state.stands[index]);
         let cells = &mut self.stands[index];
-        let level = world.model.terrain.is_flat();
+        let level = stand.is_level(&world.model.terrain);
+        // On ground that was level until now no patch has any yet.
+        let laid = !level && !cells.has_ground();
         cells.reserve(gpu, state, level)?;
-        for patch in plan.patches.iter().filter(|patch| patch.woken && !level) {
+        for patch in plan.patches.iter().filter(|patch| (patch.woken || patch.edited || laid) && !level) {
             let ground = ground_of(&world.model.terrain, stand, patch.patch);
-            // The tiled patch stands on level ground.
-            let level_ground = if ground.values.is_empty() { vec![0.0_f32; 3 * (stand.cells * stand.cells) as usize] } else { Vec::new() };
-            let bytes = bytemuck::cast_slice(if ground.values.is_empty() { &level_ground } else { &ground.values });
+            let planes = ground.planes((stand.cells * stand.cells) as usize);
+            let bytes = bytemuck::cast_slice(&planes);
             gpu.queue.write_buffer(&cells.ground, u64::from(patch.slot) * bytes.len() as u64, bytes);
             self.work.uploaded += bytes.len() as u64;
         }

@@ -18,6 +18,8 @@ struct Frame {
     detail: vec4<f32>,      // noise on top: 1/wavelength, amplitude, roughness; w unused
     detail_place: vec4<f32>,// xy = way of the frame origin through its cell
     detail_cell: vec4<i32>, // xy = that cell; z = octaves, w = seed
+    edit: vec4<f32>,        // what was added to the ground: x = samples per metre, zw = sample position of the frame origin
+    edit_size: vec4<u32>,   // columns, rows, place of the first sample
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

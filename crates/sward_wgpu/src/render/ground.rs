@@ -2,20 +2,38 @@
 
 use sward::geometry::relief::Relief;
 use sward::geometry::rings;
+use sward::growth::Near;
 use sward::shading::look::Turf;
+use sward::terrain::Terrain;
 use wgpu::util::DeviceExt;
 
+use super::bare::BareGround;
+use super::height_samples::HeightSamples;
 use super::{PipelineParts, Slot, layout, main_pipeline, shader};
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader, after the common ones.
-pub const PARTS: [&str; 5] =
-    [sward::terrain::DETAIL_WGSL, super::relief::WGSL, super::HEIGHTS_WGSL, super::SHADOWS_WGSL, include_str!("ground.wgsl")];
+pub const PARTS: [&str; 6] = [
+    sward::terrain::DETAIL_WGSL,
+    super::relief::WGSL,
+    super::HEIGHTS_WGSL,
+    super::SHADOWS_WGSL,
+    sward::growth::WGSL,
+    include_str!("ground.wgsl"),
+];
 
 /// The ground's pass.
 pub(crate) struct GroundPass {
     pipeline: wgpu::RenderPipeline,
-    bindings: wgpu::BindGroup,
+    layout: wgpu::BindGroupLayout,
+    /// Always bound: frame, shadow map, turf.
+    frame: wgpu::Buffer,
+    shadow: (wgpu::TextureView, wgpu::Sampler),
+    turf: wgpu::Buffer,
+    heights: HeightSamples,
+    bare: BareGround,
+    /// Made anew when a buffer has been replaced.
+    bindings: Option<wgpu::BindGroup>,
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
     count: u32,
@@ -28,7 +46,15 @@ impl GroundPass {
         let layout = layout(
             device,
             "ground",
-            &[(0, Slot::Uniform), (1, Slot::Storage), (2, Slot::ShadowMap), (3, Slot::Comparison), (4, Slot::Uniform)],
+            &[
+                (0, Slot::Uniform),
+                (1, Slot::Storage),
+                (2, Slot::ShadowMap),
+                (3, Slot::Comparison),
+                (4, Slot::Uniform),
+                (5, Slot::Uniform),
+                (6, Slot::Storage),
+            ],
         );
         let pipeline = main_pipeline(
             device,
@@ -49,26 +75,50 @@ impl GroundPass {
         );
         let init =
             |label, contents, usage| device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage });
-        let heights: &[f32] = if relief.heights.is_empty() { &[0.0] } else { &relief.heights };
-        let heights = init("heights", bytemuck::cast_slice(heights), wgpu::BufferUsages::STORAGE);
+        let heights = HeightSamples::new(gpu, &relief.heights, &Default::default());
         let turf = init("turf", bytemuck::bytes_of(&turf), wgpu::BufferUsages::UNIFORM);
-        let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("ground"),
-            layout: &layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: heights.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&shadow.view) },
-                wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&shadow.sampler) },
-                wgpu::BindGroupEntry { binding: 4, resource: turf.as_entire_binding() },
-            ],
-        });
         // All grids have the same number of vertices; holes never make the index list longer than the first.
         let grid = rings::build([0.0; 2], [0.0; 2]);
         let vertices =
             init("ground vertices", bytemuck::cast_slice(&grid.vertices), wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST);
         let indices = init("ground indices", bytemuck::cast_slice(&grid.indices), wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST);
-        Self { pipeline, bindings, vertices, indices, count: grid.indices.len() as u32 }
+        Self {
+            pipeline,
+            layout,
+            frame: frame.clone(),
+            shadow: (shadow.view.clone(), shadow.sampler.clone()),
+            turf,
+            heights,
+            bare: BareGround::new(gpu),
+            bindings: None,
+            vertices,
+            indices,
+            count: grid.indices.len() as u32,
+        }
+    }
+
+    /// Follows what was added to the ground, and says where it is bare.
+    pub(crate) fn lay(&mut self, gpu: &Gpu, terrain: &Terrain, growth: &Near) {
+        let replaced = self.heights.follow(gpu, terrain);
+        if self.bare.write(gpu, growth) || replaced || self.bindings.is_none() {
+            self.bindings = Some(self.bind(gpu));
+        }
+    }
+
+    fn bind(&self, gpu: &Gpu) -> wgpu::BindGroup {
+        let texture = wgpu::BindingResource::TextureView(&self.shadow.0);
+        let resources = [
+            self.frame.as_entire_binding(),
+            self.heights.buffer.as_entire_binding(),
+            texture,
+            wgpu::BindingResource::Sampler(&self.shadow.1),
+            self.turf.as_entire_binding(),
+            self.bare.block.as_entire_binding(),
+            self.bare.words.as_entire_binding(),
+        ];
+        let entry = |(binding, resource)| wgpu::BindGroupEntry { binding: binding as u32, resource };
+        let entries: Vec<_> = resources.into_iter().enumerate().map(entry).collect();
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("ground"), layout: &self.layout, entries: &entries })
     }
 
     /// Moves the grid under the camera.
@@ -82,8 +132,9 @@ impl GroundPass {
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let Some(bindings) = &self.bindings else { return };
         pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &self.bindings, &[]);
+        pass.set_bind_group(0, bindings, &[]);
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.count, 0, 0..1);

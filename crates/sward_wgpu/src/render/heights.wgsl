@@ -15,5 +15,5 @@ fn ground_detail(p: vec2<f32>) -> f32 {
 }
 
 fn ground_height(p: vec2<f32>) -> f32 {
-    return relief_height(frame.relief, frame.relief_size.xy, p) + ground_detail(p);
+    return relief_height(frame.relief, frame.relief_size.xy, p) + relief_edit(frame.edit, frame.edit_size.xyz, p) + ground_detail(p);
 }

@@ -1,8 +1,11 @@
 //! The passes of a picture, one file each. Each assembles its shader by joining the library texts with its own.
 
+mod bare;
 pub mod bodies;
 pub mod clump_texture;
 pub mod ground;
+pub mod growth_maps;
+mod height_samples;
 mod pipeline;
 pub mod plant_pass;
 pub mod plants;

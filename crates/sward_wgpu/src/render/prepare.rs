@@ -9,6 +9,7 @@ use sward::shading::look::Look;
 use sward::world::World;
 use wgpu::util::DeviceExt;
 
+use super::height_samples::HeightSamples;
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::Gpu;
 
@@ -30,7 +31,7 @@ pub fn assembled() -> String {
 /// The pipeline and what it always reads.
 pub struct PreparePass {
     pipeline: wgpu::ComputePipeline,
-    heights: wgpu::Buffer,
+    heights: HeightSamples,
     tile: wgpu::Buffer,
 }
 
@@ -90,9 +91,14 @@ impl PreparePass {
         };
         Self {
             pipeline,
-            heights: storage("terrain", bytemuck::cast_slice(world.model.terrain.heights())),
+            heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
             tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
         }
+    }
+
+    /// Follows what was added to the ground.
+    pub fn follow(&mut self, gpu: &Gpu, world: &World) {
+        self.heights.follow(gpu, &world.model.terrain);
     }
 
     /// Records the pass for one batch. `plain` batches have one segment.
@@ -107,6 +113,7 @@ impl PreparePass {
         seen: &Seen<'_>,
         look: &Look,
         cells: &CellBuffers,
+        growth: &wgpu::TextureView,
         buffers: &mut BatchBuffers,
     ) {
         let drawn = if plain { 1 } else { stand.species.billboard.segments };
@@ -124,12 +131,13 @@ impl PreparePass {
         let wind = world.wind_before(stand, seen.behind).block(stand.cells / sward::response::continuum::NODE_CELLS);
         let wind = made("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
         let draws = made("patches to draw", bytemuck::cast_slice(&batch.draws), wgpu::BufferUsages::STORAGE);
-        let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &self.heights, &self.tile, plants, joints, &cells.old];
-        let entries: Vec<wgpu::BindGroupEntry> = bound
+        let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &self.heights.buffer, &self.tile, plants, joints, &cells.old];
+        let mut entries: Vec<wgpu::BindGroupEntry> = bound
             .iter()
             .enumerate()
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: binding as u32, resource: buffer.as_entire_binding() })
             .collect();
+        entries.push(wgpu::BindGroupEntry { binding: 10, resource: wgpu::BindingResource::TextureView(growth) });
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("prepare"),
             layout: &self.pipeline.get_bind_group_layout(0),

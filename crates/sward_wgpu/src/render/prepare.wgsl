@@ -29,6 +29,10 @@ struct PatchDraw {
     lags: array<u32, 9>,
     first: u32,          // first plant of this patch in the output
     count: u32,
+    growth: u32,         // place of its growth map, or NONE
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 struct Plant {
@@ -52,6 +56,7 @@ const NONE: u32 = 0xffffffffu;
 @group(0) @binding(7) var<storage, read_write> plants: array<Plant>;
 @group(0) @binding(8) var<storage, read_write> joints: array<vec4<f32>>;
 @group(0) @binding(9) var<storage, read> before: array<f32>;
+@group(0) @binding(10) var growth_maps: texture_2d<u32>;
 
 fn wind_tile_load(index: u32) -> vec2<f32> {
     return tile[index];
@@ -70,6 +75,13 @@ fn ordered_cell(rank: u32) -> vec2<u32> {
         cell.y |= (((rank >> (2u * b + 1u)) ^ (rank >> (2u * b))) & 1u) << high;
     }
     return cell;
+}
+
+/// What the growth map at a place of the texture says of a cell.
+fn growth_at(place: u32, cell: vec2<u32>) -> u32 {
+    let columns = textureDimensions(growth_maps).x / prepare.placement.cells;
+    let corner = vec2<u32>(place % columns, place / columns) * prepare.placement.cells;
+    return textureLoad(growth_maps, corner + cell, 0).r;
 }
 
 fn rest_at_plant(draw: PatchDraw, local: vec2<f32>) -> vec2<f32> {
@@ -150,7 +162,10 @@ fn prepare_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         nothing(out);
         return;
     }
-    let placed = placement_plant(prepare.placement, draw.patch_index, cell);
+    var placed = placement_plant(prepare.placement, draw.patch_index, cell);
+    if draw.growth != NONE {
+        placed = placement_grown(placed, growth_at(draw.growth, cell));
+    }
     if !placed.present {
         nothing(out);
         return;

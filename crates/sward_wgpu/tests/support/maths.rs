@@ -2,12 +2,14 @@
 
 use libtest_mimic::Failed;
 use sward::geometry::billboard;
+use sward::growth::{self, GrowthRecord, cover_at};
 use sward::interaction::{self, contact_at};
 use sward::math;
 use sward::model::NoAssets;
 use sward::placement::{self, PlacementParameters};
 use sward::plan::StandPlan;
 use sward::scene::Scene;
+use sward::scene::{Change, Edit, Raise};
 use sward::terrain::{self, Terrain, TerrainGrid};
 use sward::wind::{self, Flow, Footprint, Images, Source, Tile, WindField};
 use sward::world::World;
@@ -134,28 +136,42 @@ pub(crate) fn wind_nodes_and_places(gpu: &Gpu) -> Verdict {
 
 /// Heights to 10 µm and slopes to 1e-5 on hills of 60 m, mirrored edges included.
 pub(crate) fn terrain_heights(gpu: &Gpu) -> Verdict {
-    terrain_of(gpu, "terrain", terrain::Detail::NONE)
+    terrain_of(gpu, "terrain", terrain::Detail::NONE, &[])
 }
 
 /// The same with octaves of noise on top, anchored elsewhere.
 pub(crate) fn terrain_detail(gpu: &Gpu) -> Verdict {
     let detail = sward::scene::Detail { amplitude: 2.0, wavelength: 3.0, octaves: 6, roughness: 0.6, seed: 7 };
-    terrain_of(gpu, "detail", terrain::Detail::new(&detail, [17.3, -5.1]))
+    terrain_of(gpu, "detail", terrain::Detail::new(&detail, [17.3, -5.1]), &[])
 }
 
-fn terrain_of(gpu: &Gpu, name: &'static str, detail: terrain::Detail) -> Verdict {
+/// A hill on it and a trench through that; half of the places lie near them.
+pub(crate) fn terrain_edits(gpu: &Gpu) -> Verdict {
+    let raise = |at, radius, height| Edit { at, radius, change: Change::Raise(Raise { height }), ..Edit::default() };
+    let edits = [raise([20.0, -30.0], 60.0, 12.0), raise([35.0, -20.0], 9.0, -4.0)];
+    terrain_of(gpu, "edits", terrain::Detail::NONE, &edits)
+}
+
+fn terrain_of(gpu: &Gpu, name: &'static str, detail: terrain::Detail, edits: &[Edit]) -> Verdict {
     let mut random = Random::new(u32::MAX);
     let heights: Vec<f32> = (0..40 * 30).map(|_| random.drawn(0.0, 60.0)).collect();
-    let ground = Terrain::new(heights.clone(), 40, 30, [2.5, 3.5], [-50.0, -40.0])?.with_detail(detail);
+    let mut ground = Terrain::new(heights.clone(), 40, 30, [2.5, 3.5], [-50.0, -40.0])?.with_detail(detail);
+    for edit in edits {
+        ground.edit(edit)?;
+    }
+    let samples = [&heights, ground.edits().heights()].concat();
+    let reach = if edits.is_empty() { 400.0 } else { 90.0 };
     let grid: TerrainGrid = ground.grid();
     let rust = |n: u32, input: &mut Vec<u32>| {
         let mut random = Random::new(n);
-        let anchor = ground.anchor([0, 1].map(|_| f64::from(random.drawn(-400.0, 400.0))));
+        let anchor = ground.anchor([0, 1].map(|_| f64::from(random.drawn(-reach, reach))));
         input.extend(anchor.index.map(|k| k as u32));
         let local = [random.float(-2.0, 34.0), random.float(-2.0, 34.0)];
         input.extend(anchor.fraction.map(f32::to_bits));
         input.extend(anchor.detail_cell.map(|k| k as u32));
         input.extend(anchor.detail_way.map(f32::to_bits));
+        input.extend(anchor.edit_index.map(|k| k as u32));
+        input.extend(anchor.edit_fraction.map(f32::to_bits));
         input.extend(random.words);
         let (height, [x, z]) = ground.height_and_gradient(anchor, local);
         bits([height, x, z])
@@ -168,12 +184,14 @@ fn terrain_of(gpu: &Gpu, name: &'static str, detail: terrain::Detail) -> Verdict
         let index = next_w();
         let fraction = next_v();
         let cell = next_w();
-        let anchor = TerrainAnchor(index, fraction, cell, next_v());
+        let way = next_v();
+        let edit = next_w();
+        let anchor = TerrainAnchor(index, fraction, cell, way, edit, next_v());
         let place = terrain_height_and_gradient(grid, anchor, next_v());
         put_f(place.x);
         put_v(place.yz);
     }";
-    let tables: &[&[u8]] = &[bytemuck::cast_slice(&heights), bytemuck::bytes_of(&grid)];
+    let tables: &[&[u8]] = &[bytemuck::cast_slice(&samples), bytemuck::bytes_of(&grid)];
     // At a sample the two sides of the spline meet; a place rounded to either side differs in nothing but rounding.
     let tolerance = Tolerance { p999: 6e-5, rms: 1e-5, outlier: 2e-4, share: 0.0 };
     Twin { name, library: &[math::WGSL, terrain::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
@@ -207,6 +225,53 @@ pub(crate) fn plants_placed(gpu: &Gpu) -> Verdict {
     let tables: &[&[u8]] = &[bytemuck::bytes_of(&parameters)];
     let tolerance = Tolerance { p999: 2e-6, rms: 1e-2, outlier: 4e-6, share: 1e-5 };
     Twin { name: "placement", library: &[math::WGSL, placement::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
+}
+
+/// Lines, polygons and pictures, sharp, soft and blurred, inside, near and outside.
+pub(crate) fn growth_covers(gpu: &Gpu) -> Verdict {
+    let square = [[-6.0, -4.0, 7.0, -5.0], [7.0, -5.0, 2.0, 0.0], [2.0, 0.0, 6.0, 8.0], [6.0, 8.0, -6.0, -4.0]];
+    let edges: Vec<[f32; 4]> = [[-9.0, 3.0, 1.0, 5.0], [1.0, 5.0, 9.0, -7.0]].into_iter().chain(square).collect();
+    let shades: Vec<f32> = (0..35).map(|k| ((k * 97) % 256) as f32 / 255.0).collect();
+    let (low, high) = ([-11.0, -9.0], [11.0, 9.0]);
+    let made = |kind, first, count, rows, soft| GrowthRecord {
+        kind,
+        first,
+        count,
+        rows,
+        low,
+        high,
+        soft,
+        half_width: 1.7,
+        outside: 0.8,
+        share: 1.0,
+        colour: [0.5; 3],
+        unused: 0.0,
+    };
+    let records = [made(0, 0, 2, 0, 0.0), made(0, 0, 2, 0, 2.5), made(1, 2, 4, 0, 1.2), made(2, 0, 7, 5, 0.0)];
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let which = random.whole(0, 4);
+        let at = [random.float(-12.0, 12.0), random.float(-10.0, 10.0)];
+        let blur = random.float(0.02, 0.6);
+        input.extend(random.words);
+        let shade = |index: u32| shades[index as usize];
+        bits([cover_at(&records[which as usize], at, blur, |index| edges[index as usize], shade)])
+    };
+    let host = "
+    @group(0) @binding(2) var<storage, read> records: array<GrowthRecord>;
+    @group(0) @binding(3) var<storage, read> edges: array<vec4<f32>>;
+    @group(0) @binding(4) var<storage, read> shades: array<f32>;
+    fn growth_edge(index: u32) -> vec4<f32> { return edges[index]; }
+    fn growth_texel(index: u32) -> f32 { return shades[index]; }
+    fn twin() {
+        let which = next_i();
+        let at = next_v();
+        put_f(growth_cover(records[which], at, next_f()));
+    }";
+    let tables: &[&[u8]] = &[bytemuck::cast_slice(&records), bytemuck::cast_slice(&edges), bytemuck::cast_slice(&shades)];
+    // At the rim of a bounding box a rounding decides between outside and a cover of nearly that.
+    let tolerance = Tolerance { p999: 2e-4, rms: 1e-2, outlier: 1e-3, share: 1e-3 };
+    Twin { name: "growth", library: &[growth::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
 }
 
 /// Ends of segments of 10 cm, upright ones included.

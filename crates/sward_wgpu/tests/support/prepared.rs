@@ -29,7 +29,7 @@ fn on_cpu(world: &World, behind: f64) -> [Vec<f32>; 2] {
     for (plan, plain) in plans.iter().zip([false, true]) {
         let uniform = PrepareUniform::new(world, stand, plain, &seen, &looks[0]);
         let intervals = stand.cells / NODE_CELLS;
-        let preparing = Preparing { uniform, cells: &state.cells, terrain: &world.model.terrain, wind: &wind, intervals };
+        let preparing = Preparing { uniform, cells: &state.cells, terrain: &world.model.terrain, stand, wind: &wind, intervals };
         for draw in &plan.draws {
             let mut solved = vec![Plant::default(); draw.count as usize];
             let mut spines = vec![[0.0; 4]; solved.len() * (uniform.drawn as usize + 1)];
@@ -55,6 +55,11 @@ fn gather(solved: &[Plant], spines: &[[f32; 4]], plants: &mut Vec<f32>, joints: 
 fn on_gpu(gpu: &Gpu, world: &World, behind: f64) -> Result<[Vec<f32>; 2], Failed> {
     let mut studio = Studio::new(gpu, world)?;
     studio.draw_before(gpu, world, CellsAt::Cpu, behind, [32, 18])?;
+    solved(gpu, &studio)
+}
+
+/// What a studio solved for its last picture.
+fn solved(gpu: &Gpu, studio: &Studio) -> Result<[Vec<f32>; 2], Failed> {
     let (mut plants, mut joints) = (Vec::new(), Vec::new());
     for batch in studio.batches(0).into_iter().flatten().filter(|batch| batch.plants > 0) {
         let Some((stored, stored_joints)) = &batch.filled else { continue };
@@ -89,4 +94,34 @@ pub(crate) fn plants_solved(gpu: &Gpu) -> Verdict {
     world.step();
     let [_, later] = on_cpu(&world, 0.0);
     ensure(judge("one step later", &own_joints, &later, &tolerance).is_err(), || "a step later looks the same".to_owned())
+}
+
+/// A road, a house and a hill that rose: plants that are gone, lower, and higher up.
+pub(crate) fn plants_on_edited_ground(gpu: &Gpu) -> Verdict {
+    let text = |more: &str| {
+        format!(
+            "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32)], {more}
+            budget: (patches: 25, lag_distance: 6.0), camera: (eye: (0, 2, -4), target: (0, 0, 6)))"
+        )
+    };
+    let limits = "exclusions: [(area: Road(points: [(-30, 6), (2, 3), (9, 40)], width: 3), soft: 1.5), (area: Box(at: (-4, 14), size: (5, 7), yaw: 0.3))],
+        edits: [(at: (3, 9), radius: 6, change: Raise(height: 1.2))],";
+    let mut world = World::new(Scene::parse(&text(limits), "limits.ron")?, &sward::model::NoAssets)?;
+    let free = World::new(Scene::parse(&text(""), "free.ron")?, &sward::model::NoAssets)?;
+    let tolerance = Tolerance { p999: 2e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
+    let mut studio = Studio::new(gpu, &world)?;
+    let raise = |x: f64| sward::scene::Edit { at: [x, 12.0], radius: 3.0, ..sward::scene::Edit::default() };
+    // Before and after strokes of a brush that the studio follows: within its grid, and beyond it.
+    for stroke in [None, Some(raise(1.0)), Some(raise(-40.0))] {
+        if let Some(edit) = stroke {
+            world.edit_terrain(&edit)?;
+        }
+        studio.draw_before(gpu, &world, CellsAt::Cpu, 0.0, [32, 18])?;
+        let (own, theirs) = (on_cpu(&world, 0.0), solved(gpu, &studio)?);
+        judge("plants", &own[0], &theirs[0], &tolerance)?;
+        judge("joints", &own[1], &theirs[1], &tolerance)?;
+    }
+    let standing = |plants: &[f32]| plants.chunks_exact(8).filter(|plant| plant[3] > 0.0).count();
+    let (kept, all) = (standing(&on_cpu(&world, 0.0)[0]), standing(&on_cpu(&free, 0.0)[0]));
+    ensure(kept + 500 < all, || format!("control: {kept} of {all} plants"))
 }

@@ -81,6 +81,11 @@ pub(crate) fn crossing(gpu: &Gpu) -> Verdict {
     same(gpu, "crossing", 3.0)
 }
 
+/// Bare ground, and ground that was changed before and during the run.
+pub(crate) fn road(gpu: &Gpu) -> Verdict {
+    same(gpu, "road", 4.0)
+}
+
 pub(crate) fn paper(gpu: &Gpu) -> Verdict {
     same(gpu, "paper", 1.0)
 }

@@ -1,9 +1,10 @@
 //! The runs: small patches of 64² cells, everything that may differ between backends at least once.
 
+use sward::scene::{Change, Edit, Raise};
 use sward_wgpu::gpu::Gpu;
 
-use crate::adapter::Verdict;
-use crate::runs::Run;
+use crate::adapter::{Verdict, ensure};
+use crate::runs::{Backend, Run, agree, world};
 
 /// A pickup over hills, in gusts.
 pub(crate) const TRUCK: &str = r#"(version: 1, field: (patch_side: 16),
@@ -52,6 +53,38 @@ const TWO_STANDS: &str = r#"(version: 1, field: (patch_side: 16),
     terrain: Image(path: "assets/jacksboro.png", scale: 0.03125),
     stands: [(species: Meadow, cells: 64), (species: Tussock, cells: 40, cover: 0.2)], wind: [Uniform(velocity: (3, 1))],
     interactors: [(shape: Truck, path: Circle(centre: (4, 4), radius: 5, speed: 6))])"#;
+
+/// Level ground with a road along which a truck swerves, and a hill that rises under it and its patches.
+const ROAD: &str = "(version: 1, field: (patch_side: 16), stands: [(species: Meadow, cells: 64), (species: Lawn, cells: 40)],
+    exclusions: [(area: Road(points: [(-30, 2), (0, 3), (30, -4)], width: 3), soft: 0.5, stands: [\"meadow\"])], wind: [Natural()],
+    edits: [(time: 1, at: (2, 3), radius: 7, change: Raise(height: 0.8)), (time: 3, at: (9, 0), radius: 5, hardness: 0.3, change: Flatten())],
+    interactors: [(shape: Truck, path: Keyframes(keys: [(time: 0, at: (-10, 2)), (time: 2, at: (0, 4.5)), (time: 4, at: (12, -2))]))],
+    camera: (eye: (0, 2, 0), target: (4, 1, 8)), budget: (patches: 9, focus_distance: 14, lag_distance: 20))";
+
+pub(crate) fn road_and_rising_ground(gpu: &Gpu) -> Verdict {
+    Run { name: "road", scene: ROAD, shows: |world| world.state.stands.iter().all(|stand| stand.counters.resampled > 1) }.check(gpu)
+}
+
+/// Ground that was level until code raised it: on the GPU patches have none stored until then.
+pub(crate) fn level_ground_is_raised(gpu: &Gpu) -> Verdict {
+    let (mut cpu, mut other) = (world(LAWN)?, world(LAWN)?);
+    let mut backend = Backend::on(gpu, &other)?;
+    let edit = Edit { at: [0.0, 3.0], radius: 4.0, change: Change::Raise(Raise { height: 0.3 }), ..Edit::default() };
+    for raised in [false, true, true] {
+        Backend::Cpu.run(gpu, &mut cpu, 60)?;
+        backend.run(gpu, &mut other, 60)?;
+        agree("raised", &cpu, &other, true)?;
+        ensure((cpu.state.stands[0].counters.resampled > 0) == raised, || "the edit is seen".to_owned())?;
+        if cpu.state.step == 60 {
+            cpu.edit_terrain(&edit)?;
+            other.edit_terrain(&edit)?;
+        }
+    }
+    let mut control = world(LAWN)?;
+    Backend::Cpu.run(gpu, &mut control, 180)?;
+    control.state.stands[0].counters = cpu.state.stands[0].counters;
+    ensure(agree("control", &cpu, &control, false).is_err(), || "level ground gives the same".to_owned())
+}
 
 pub(crate) fn truck_on_hills(gpu: &Gpu) -> Verdict {
     Run { name: "truck", scene: TRUCK, shows: |world| !world.model.terrain.is_flat() && world.model.gusty }.check(gpu)

@@ -6,6 +6,7 @@ use sward::math;
 use sward::shading::look::{Look, Style, Turf};
 use sward::shading::sky::Light;
 use sward::shading::{self, body, clump::Kind, common, foliage, grass, ground, sky};
+use sward::terrain::EditFrame;
 use sward_wgpu::compare::Tolerance;
 use sward_wgpu::gpu::Gpu;
 
@@ -213,6 +214,49 @@ pub(crate) fn grounds(gpu: &Gpu) -> Verdict {
         let (distance, lit) = (random.float(0.5, 200.0), random.float(0.0, 1.0));
         ground::ground(&turf, p, normal, view, distance, 0.001, &light, lit).to_array().to_vec()
     })
+}
+
+/// Bare earth, and how its rim strays.
+pub(crate) fn earths(gpu: &Gpu) -> Verdict {
+    let host = "
+    fn twin() {
+        let light = next_light();
+        let p = next_v();
+        let normal = next_3();
+        let view = next_3();
+        let distance = next_f();
+        put_3(shading_earth(vec3<f32>(0.2, 0.15, 0.1), p, normal, view, distance, 0.001, light, next_f()));
+        put_v(shading_stray(p));
+    }";
+    let tolerance = Tolerance { p999: 5e-4, rms: 5e-5, outlier: 2e-3, share: 1e-3 };
+    check(gpu, "earth", host, By::Relative(tolerance, 0.1), |random| {
+        let light = light(random);
+        let p = Vec2::new(random.float(0.0, 1024.0), random.float(0.0, 1024.0));
+        let (normal, view) = (direction(random, 0.5), direction(random, 0.02));
+        let (distance, lit) = (random.float(0.5, 200.0), random.float(0.0, 1.0));
+        let earth = ground::earth(Vec3::new(0.2, 0.15, 0.1), p, normal, view, distance, 0.001, &light, lit);
+        [&earth.to_array()[..], &ground::stray(p).to_array()].concat()
+    })
+}
+
+/// Edits in frame space.
+pub(crate) fn relief_edits(gpu: &Gpu) -> Verdict {
+    let mut random = Random::new(u32::MAX);
+    let heights: Vec<f32> = (0..40 * 30).map(|_| random.drawn(-3.0, 3.0)).collect();
+    let frame = EditFrame { mapping: [4.0, 0.0, 11.25, 3.5], size: [40, 30] };
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let p = [random.float(-4.0, 9.0), random.float(-2.0, 8.0)];
+        input.extend(random.words);
+        bits([relief::edit(&frame, p, |column, row| heights[(row * 40 + column) as usize])])
+    };
+    let host = "
+    @group(0) @binding(2) var<storage, read> heights: array<f32>;
+    fn relief_load(index: i32) -> f32 { return heights[index - 7]; }
+    fn twin() { put_f(relief_edit(vec4<f32>(4.0, 0.0, 11.25, 3.5), vec3<u32>(40u, 30u, 7u), next_v())); }";
+    let tolerance = Tolerance { p999: 1e-4, rms: 2e-5, outlier: 5e-4, share: 0.0 };
+    let tables: &[&[u8]] = &[bytemuck::cast_slice(&heights)];
+    Twin { name: "relief edit", library: &[relief::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
 }
 
 /// Lacquer, rubber, glass and chrome.

@@ -2,6 +2,7 @@
 
 use std::mem::offset_of;
 
+use sward::growth::{GrowthBlock, GrowthRecord};
 use sward::interaction::{Contact, ContactEdge};
 use sward::picture::frame::FrameUniform;
 use sward::placement::PlacementParameters;
@@ -114,7 +115,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         substeps,
         lag
     });
-    let draw = layout!(PatchDraw { offset, patch as "patch_index", anchor, weights, slots, lags, first, count });
+    let draw = layout!(PatchDraw { offset, patch as "patch_index", anchor, weights, slots, lags, first, count, growth });
     let frame = layout!(FrameUniform {
         view_projection,
         shadow,
@@ -131,9 +132,14 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         relief_size,
         detail,
         detail_place,
-        detail_cell
+        detail_cell,
+        edit,
+        edit_size
     });
+    let record = layout!(GrowthRecord { kind, first, count, rows, low, high, colour, share, half_width, soft, outside });
     vec![
+        ("GrowthRecord", text_of("ground"), record),
+        ("GrowthBlock", text_of("ground"), layout!(GrowthBlock { count, first_edge, records })),
         ("ContactEdge", step(), edge),
         ("Contact", step(), contact),
         ("ContinuumCoefficients", step(), coefficients),
@@ -144,9 +150,9 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("Stand", step(), stand),
         ("AwakePatch", step(), patch),
         ("PlacementParameters", prepare(), parameters),
-        ("TerrainGrid", prepare(), layout!(TerrainGrid { size, inverse_spacing, detail })),
+        ("TerrainGrid", prepare(), layout!(TerrainGrid { size, inverse_spacing, detail, edit_size, edit_first, edit_inverse_spacing })),
         ("TerrainDetail", prepare(), layout!(TerrainDetail { inverse_wavelength, amplitude, roughness, octaves, seed })),
-        ("TerrainAnchor", prepare(), layout!(TerrainAnchor { index, fraction, detail_cell, detail_way })),
+        ("TerrainAnchor", prepare(), layout!(TerrainAnchor { index, fraction, detail_cell, detail_way, edit_index, edit_fraction })),
         ("Prepare", prepare(), uniform),
         ("PatchDraw", prepare(), draw),
         ("Plant", prepare(), layout!(Plant { root, height, yaw, width, tint, layer })),

@@ -4,11 +4,13 @@ use std::path::Path;
 
 use sward::geometry::{billboard, card, relief};
 use sward::response::continuum;
-use sward::{interaction, math, placement, shading, terrain, wind};
+use sward::{growth, interaction, math, placement, shading, terrain, wind};
 
 use crate::texts::validate;
 
 const RELIEF_STUB: &str = "fn relief_load(index: i32) -> f32 { return f32(index); }";
+const GROWTH_STUBS: &str =
+    "fn growth_edge(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); } fn growth_texel(index: u32) -> f32 { return f32(index); }";
 const TERRAIN_STUB: &str = "fn terrain_load(index: i32) -> f32 { return f32(index); }";
 const WIND_STUB: &str = "fn wind_tile_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 const CONTACT_STUB: &str = "fn contact_edge(index: u32) -> ContactEdge { var edge: ContactEdge; return edge; }";
@@ -25,6 +27,7 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("wind", vec![math::WGSL, WIND_STUB, wind::WGSL]),
         ("contact", vec![math::WGSL, CONTACT_STUB, interaction::WGSL]),
         ("continuum", continuum),
+        ("growth", vec![GROWTH_STUBS, growth::WGSL]),
         ("billboard", vec![math::WGSL, billboard::WGSL]),
         ("card", vec![math::WGSL, card::WGSL]),
         ("relief", vec![RELIEF_STUB, relief::WGSL]),

@@ -7,6 +7,7 @@ use super::coefficients::{Coefficients, safe_limit};
 use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
 use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
 use super::rest::Rest;
+use crate::growth::BARE;
 use crate::interaction::Contact;
 use crate::lanes::{Lanes, Simd, Work};
 use crate::plan::{PatchPlan, StandPlan};
@@ -62,8 +63,21 @@ fn with_levels<'a, 'b>(
     paired
 }
 
-/// The ground under the cells of a patch: the numbers every backend uses for limits and contact.
+/// The ground under the cells of a patch: the numbers every backend uses for limits and contact. Where nothing grows it lies far below.
 pub fn ground_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
+    let mut ground = shape_of(terrain, stand, patch);
+    let bare = if patch == TILE { None } else { stand.growth.bare(stand.cells, terrain, patch, stand.patch_side) };
+    if let Some(bare) = bare {
+        let area = bare.len();
+        ground.values = ground.planes(area).into();
+        for (height, _) in ground.values[2 * area..].iter_mut().zip(&bare).filter(|(_, bare)| **bare) {
+            *height = BARE;
+        }
+    }
+    ground
+}
+
+fn shape_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
     if patch == TILE || terrain.is_flat() {
         let anchor = terrain.anchor(patch.map(|p| f64::from(p) * stand.patch_side));
         return Ground { values: Box::default(), steepest: 0.0, level: terrain.height(anchor, [0.0, 0.0]) };
@@ -158,6 +172,8 @@ pub fn step(
     each(with_levels(&mut tasks, cells), |(task, now, old, ground)| {
         if task.plan.woken {
             wake_patch(side, &task.rest, now, old);
+        }
+        if task.plan.woken || task.plan.edited {
             *ground = ground_of(terrain, stand, task.plan.patch);
         }
         touch(stand, plan, task, (now, old), ground);

@@ -3,6 +3,8 @@
 use std::fmt::Write;
 
 use serde::Serialize;
+use sward::response::StandModel;
+use sward::state::PatchKey;
 use sward::world::World;
 use sward_wgpu::gpu::Gpu;
 
@@ -102,6 +104,14 @@ impl Counters {
     }
 }
 
+/// Plants of a patch: those of its growth map, or the share of its cells that carry one.
+fn plants(world: &World, stand: &StandModel, patch: PatchKey) -> u64 {
+    match stand.growth_map(&world.model.terrain, patch) {
+        Some(map) => map.iter().filter(|growth| **growth > 0).count() as u64,
+        None => (f64::from(stand.cells) * f64::from(stand.cells) * f64::from(stand.placement.cover)) as u64,
+    }
+}
+
 impl Memory {
     /// Of the awake patches.
     pub(crate) fn of(world: &World) -> Self {
@@ -113,9 +123,9 @@ impl Memory {
             memory.patches_awake += patches;
             memory.cells_awake += patches * area;
             memory.state += patches * area * 32;
-            memory.ground += if world.model.terrain.is_flat() { 0 } else { patches * area * 12 };
+            memory.ground += if model.is_level(&world.model.terrain) { 0 } else { patches * area * 12 };
             memory.upper_segments += lagged * area * 8 * u64::from(model.lag.segments.saturating_sub(1));
-            memory.plants += (patches as f64 * area as f64 * f64::from(model.placement.cover)) as u64;
+            memory.plants += state.awake.keys().map(|patch| plants(world, model, *patch)).sum::<u64>();
         }
         memory
     }

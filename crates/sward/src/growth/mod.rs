@@ -1,0 +1,109 @@
+//! The growth map: where nothing grows, or less and lower. Exclusions, masks and the steepness of the ground make it.
+//!
+//! Nothing is baked ahead: a patch that something limits gets its map (a byte a cell) when it is first seen or wakes, others cost
+//! nothing. Limits are kept in f64; whoever asks gets them as `f32` near a place of its own ([`Near`]). The shape functions have a
+//! twin for the colour of bare ground: `growth.wgsl`.
+
+mod area;
+mod image;
+mod near;
+
+use std::sync::Arc;
+
+pub use area::Outline;
+pub use image::MaskImage;
+pub use near::{GrowthBlock, GrowthRecord, MOST_RECORDS, Near, cover_at};
+
+use crate::placement::{self, PlacementParameters};
+use crate::terrain::Terrain;
+
+/// Shapes in WGSL. The host declares `growth_edge(index: u32) -> vec4<f32>` and `growth_texel(index: u32) -> f32`.
+pub const WGSL: &str = include_str!("../growth.wgsl");
+
+/// An exclusion or a mask, compiled.
+#[derive(Clone, Debug)]
+pub struct Limit {
+    /// Where.
+    pub outline: Outline,
+    /// Width of the margin, m.
+    pub soft: f32,
+    /// Plants lower than this grow all the same, m.
+    pub above: f32,
+    /// How far height follows cover, 0 to 1.
+    pub height: f32,
+    /// Cover outside the outline: 1 but for masks.
+    pub outside: f32,
+    /// Linear RGB of bare ground.
+    pub colour: [f32; 3],
+    /// Share of all plants that it keeps away, 0 to 1: how bare its ground looks.
+    pub share: f32,
+}
+
+/// How steep the ground may be where a stand grows, rise over run.
+pub type Slopes = [f32; 2];
+
+/// What limits the growth of one stand.
+#[derive(Clone, Debug, Default)]
+pub struct Growth {
+    /// Exclusions, then masks, in the scene's order.
+    pub limits: Vec<Arc<Limit>>,
+    /// Least and greatest steepness.
+    pub slopes: Option<Slopes>,
+}
+
+/// Height in [`crate::state::Ground`] of a cell where nothing grows, m: far below every body, so none finds plants to push.
+pub const BARE: f32 = -1e9;
+
+impl Growth {
+    /// It grows everywhere.
+    pub fn is_free(&self) -> bool {
+        self.limits.is_empty() && self.slopes.is_none()
+    }
+
+    /// What of it concerns a square of `side` \[m\] whose corner is at `corner` \[m\]; `None` where it grows freely.
+    fn near(&self, corner: [f64; 2], side: f64) -> Option<Near> {
+        let near = Near::of(self.limits.iter().map(|limit| &**limit), corner, [[0.0; 2], [side; 2]]);
+        (!near.is_empty() || self.slopes.is_some()).then_some(near)
+    }
+
+    fn too_steep(&self, terrain: &Terrain, ground: [f64; 2]) -> bool {
+        self.slopes.is_some_and(|[low, high]| {
+            let [x, z] = terrain.gradient(terrain.anchor(ground), [0.0; 2]);
+            let steep = (x * x + z * z).sqrt();
+            steep < low || steep > high
+        })
+    }
+
+    /// The growth of each cell's own plant, row by row: 0 nothing, 255 as it would grow, between them lower. `None` where all is 255.
+    pub fn map(&self, placement: &PlacementParameters, terrain: &Terrain, patch: [i32; 2], patch_side: f64) -> Option<Box<[u8]>> {
+        let corner = patch.map(|along| f64::from(along) * patch_side);
+        let near = self.near(corner, patch_side)?;
+        let grow = |index: u32| {
+            let cell = [index % placement.cells, index / placement.cells];
+            let Some(plant) = placement::plant(placement, patch, cell) else { return 0 };
+            let [cover, height] = near.growth_at(plant.root, plant.height);
+            let gone = cover <= 0.0 || (cover < 1.0 && !placement::stays(placement, patch, cell, cover));
+            if gone || self.too_steep(terrain, [0, 1].map(|axis| corner[axis] + f64::from(plant.root[axis]))) {
+                return 0;
+            }
+            // At least 1: what grows is not nothing.
+            (height * 254.0) as u8 + 1
+        };
+        Some((0..placement.cells * placement.cells).map(grow).collect())
+    }
+
+    /// Whether nothing at all grows at the middle of each cell, row by row; `None` where there is no such cell.
+    pub fn bare(&self, cells: u32, terrain: &Terrain, patch: [i32; 2], patch_side: f64) -> Option<Box<[bool]>> {
+        let corner = patch.map(|along| f64::from(along) * patch_side);
+        let near = self.near(corner, patch_side)?;
+        let spacing = patch_side / f64::from(cells);
+        let bare = |index: u32| {
+            let local = [index % cells, index / cells].map(|at| (f64::from(at) + 0.5) * spacing);
+            // A plant of no height passes below everything that has an underside.
+            near.growth_at(local.map(|metres| metres as f32), 0.0)[0] <= 0.0
+                || self.too_steep(terrain, [corner[0] + local[0], corner[1] + local[1]])
+        };
+        let bare: Box<[bool]> = (0..cells * cells).map(bare).collect();
+        bare.contains(&true).then_some(bare)
+    }
+}

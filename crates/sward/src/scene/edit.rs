@@ -1,0 +1,45 @@
+//! Changes of the ground while a scene runs.
+
+use super::parameters::{choices, parameters};
+
+choices! {
+    /// What becomes of the ground under a brush.
+    pub enum Change {
+        /// It rises, or sinks where the number is negative.
+        Raise(Raise),
+        /// It becomes level.
+        Flatten(Flatten),
+    }
+}
+
+parameters! {
+    /// Ground that rises.
+    pub struct Raise {
+        /// How far, in the middle.
+        height: f32 = 0.5, "m" in -100.0..=100.0, required;
+    }
+}
+
+parameters! {
+    /// Ground that becomes level; bumps of `detail` stay on top.
+    pub struct Flatten {
+        /// Height it comes to. Without it the height in the middle of the brush.
+        height: Option<f32> = None, "m" in -10000.0..=10000.0;
+    }
+}
+
+parameters! {
+    /// A stroke of a round brush over the ground at one moment.
+    pub struct Edit {
+        /// When.
+        time: f64 = 0.0, "s" in 0.0..=1000000000.0;
+        /// Middle (x, z).
+        at: [f64; 2] = [0.0, 0.0], "m" in -1000000.0..=1000000.0;
+        /// Radius: beyond it nothing changes. All edits of a scene lie within some 680 m.
+        radius: f32 = 3.0, "m" in 0.5..=200.0;
+        /// Share of the radius within which the change is whole; from there it falls off smoothly.
+        hardness: f32 = 0.0, "" in 0.0..=0.9;
+        /// What happens.
+        change: Change = Change::Raise(Raise::default()), "", required;
+    }
+}
