@@ -2,6 +2,7 @@
 
 use sward::picture::plan::{Seen, plan};
 use sward::picture::subject::{self, Frame};
+use sward::scene::Precision;
 use sward::shading::look::Look;
 use sward::world::World;
 
@@ -11,6 +12,7 @@ use crate::gpu::{Gpu, GpuError};
 use crate::picture::{Picture, Renderer, Setup};
 use crate::render::plants::{PlantBatch, PlantCount, PlantDraws};
 use crate::render::prepare::{BatchBuffers, PreparePass};
+use crate::stopwatch::Stopwatch;
 
 /// Where the cells to be drawn are.
 pub enum CellsAt<'a> {
@@ -43,7 +45,7 @@ impl Studio {
         let relief = subject::relief(&world.model.terrain);
         let mut renderer = Renderer::new(gpu, &Setup { relief, looks: looks.clone(), ..Setup::default() })?;
         let meshes = subject::meshes(world).iter().map(|mesh| mesh.as_ref().map(|mesh| renderer.add_mesh(gpu, mesh))).collect();
-        let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand)).collect();
+        let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand, Precision::Full)).collect();
         let batches = world.model.stands.iter().map(|_| Default::default()).collect();
         let studio = Self { renderer, prepare: PreparePass::new(gpu, world), looks, meshes, batches, uploaded };
         gpu.check()?;
@@ -92,6 +94,11 @@ impl Studio {
         self.renderer.read(gpu)
     }
 
+    /// Times the passes of the pictures while there is one.
+    pub fn stopwatch(&mut self) -> &mut Option<Stopwatch> {
+        &mut self.renderer.stopwatch
+    }
+
     /// The plants of a stand in the last picture: near ones with all segments, and plain ones.
     pub fn batches(&self, stand: usize) -> Option<&[BatchBuffers; 2]> {
         self.batches.get(stand)
@@ -112,7 +119,7 @@ impl Studio {
             for (plain, batch) in plans.iter().enumerate() {
                 let buffers = &mut self.batches[index][plain];
                 let seen = Seen { fullness, ..*seen };
-                self.prepare.record(gpu, &mut encoder, world, stand, batch, plain == 1, &seen, look, stored, buffers);
+                self.prepare.record(gpu, &mut encoder, world, stand, batch, plain == 1, &seen, look, stored, buffers, self.renderer.stopwatch.as_mut());
             }
             filled.push([plans[0].plants, plans[1].plants]);
         }
