@@ -10,6 +10,7 @@ mod far;
 mod finite;
 mod flips;
 mod footprints;
+mod halved;
 mod patches;
 mod placement;
 mod residents;

@@ -45,6 +45,8 @@ pub struct Work {
     pub uploaded: u64,
     /// Bytes that the passes read and wrote at least: see [`traffic::Traffic`].
     pub traffic: u64,
+    /// The same for upper segments, which only patches near a camera keep.
+    pub upper_traffic: u64,
 }
 
 impl Work {
@@ -54,6 +56,7 @@ impl Work {
         self.invocations += more.invocations;
         self.uploaded += more.uploaded;
         self.traffic += more.traffic;
+        self.upper_traffic += more.upper_traffic;
     }
 }
 

@@ -144,10 +144,12 @@ impl Passes {
         mut stopwatch: Option<&mut Stopwatch>,
     ) {
         let traffic = Traffic::new(stand, entries, step.gusty, cells);
+        work.traffic += traffic.rest + traffic.wake + traffic.contact + u64::from(stand.substeps) * traffic.wave;
+        work.upper_traffic += traffic.lag;
         let side = stand.cells / 8;
         let nodes = (stand.cells / 2 + 3).div_ceil(8);
         let count = |list: &[AwakePatch]| list.len() as u32;
-        let mut run = |pass: &Pass, patches: &wgpu::Buffer, cells: &CellBuffers, groups: [u32; 3], bytes: u64| {
+        let mut run = |pass: &Pass, patches: &wgpu::Buffer, cells: &CellBuffers, groups: [u32; 3]| {
             let bound = [
                 (0, &step.stand),
                 (1, &step.wind),
@@ -166,20 +168,19 @@ impl Passes {
                 (14, &step.tile_wind),
             ];
             work.add(&pass.run(gpu, encoder, &bound, groups, stopwatch.as_deref_mut()));
-            work.traffic += bytes;
         };
         if step.gusty {
-            run(&self.rest, &step.awake, cells, [nodes, nodes, count(&entries.awake)], traffic.rest);
+            run(&self.rest, &step.awake, cells, [nodes, nodes, count(&entries.awake)]);
         }
-        run(&self.wake, &step.woken, cells, [side, side, count(&entries.woken)], traffic.wake);
-        run(&self.contact, &step.touched, cells, [side, side, count(&entries.touched)], traffic.contact);
+        run(&self.wake, &step.woken, cells, [side, side, count(&entries.woken)]);
+        run(&self.contact, &step.touched, cells, [side, side, count(&entries.touched)]);
         for substep in 0..stand.substeps {
             let last = substep + 1 == stand.substeps;
-            run(if last { &self.last_wave } else { &self.wave }, &step.awake, cells, [side, side, count(&entries.awake)], traffic.wave);
+            run(if last { &self.last_wave } else { &self.wave }, &step.awake, cells, [side, side, count(&entries.awake)]);
             cells.swap();
         }
         if stand.lag.segments > 1 {
-            run(&self.lag, &step.lagged, cells, [side, side, count(&entries.lagged)], traffic.lag);
+            run(&self.lag, &step.lagged, cells, [side, side, count(&entries.lagged)]);
         }
     }
 }

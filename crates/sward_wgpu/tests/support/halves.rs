@@ -97,11 +97,11 @@ fn common(a: &World, b: &World) -> ([[Vec<f32>; 2]; 2], usize) {
     (cells, a.awake.len() + b.awake.len() - 2 * shared)
 }
 
-/// Agreement of half precision on the GPU with the same on the CPU: a rounding of the step may turn one of the packing, by a step of
-/// 1.5e-5 rad, or by a 256th of ω, which the wave damps.
-const SAME: [Tolerance; 2] = [
-    Tolerance { p999: 1.5e-4, rms: 2e-5, outlier: 1e-3, share: 1e-4 },
-    Tolerance { p999: 3e-2, rms: 5e-3, outlier: 0.5, share: 1e-4 },
+/// Agreement of one step at half precision on the GPU with the same on the CPU: now and then a rounding of the step turns one of the
+/// packing. Over many steps the two part like any two runs with different dither.
+const ONCE: [Tolerance; 2] = [
+    Tolerance { p999: 2e-5, rms: 2e-6, outlier: 1e-7, share: 0.02 },
+    Tolerance { p999: 1e-2, rms: 1e-3, outlier: 1e-6, share: 0.02 },
 ];
 /// Agreement of half precision with full.
 const FULL: [Tolerance; 2] = [
@@ -120,21 +120,26 @@ fn near(name: &str, a: &World, b: &World, tolerances: &[Tolerance; 2], most_alon
     ensure(alone <= most_alone, || format!("{name}: {alone} patches are awake in one world only"))
 }
 
-/// Whole runs at half precision: near the same arithmetic on the CPU, and near full precision. Rounding to the nearest sixteenth of that
-/// precision, and full precision itself, are told from it.
+/// Whole runs at half precision are near full precision, and each of some steps is the step the CPU takes with the same rounding. Told
+/// from that: a dither of another step, and rounding to a thousandth of a radian.
 pub(crate) fn half_runs(gpu: &Gpu) -> Verdict {
     for (name, scene) in [("ball", BALL), ("truck", TRUCK)] {
-        let (mut on_gpu, mut on_cpu, mut full) = (halved_world(scene)?, halved_world(scene)?, world(scene)?);
+        let (mut on_gpu, mut full) = (halved_world(scene)?, world(scene)?);
         let mut backend = Backend::on(gpu, &on_gpu)?;
         for _ in 0..3 {
-            backend.run(gpu, &mut on_gpu, 40)?;
-            stepped(&mut on_cpu, 40, halved);
+            let (mut once, mut wrong) = (on_gpu.clone(), on_gpu.clone());
+            stepped(&mut once, 1, halved);
+            stepped(&mut wrong, 1, |cells, patch| halved(cells, patch ^ 77));
+            backend.run(gpu, &mut on_gpu, 1)?;
+            near(&format!("{name}, one step"), &once, &on_gpu, &ONCE, 0)?;
+            let told = on_gpu.state.step == 1 || near("control", &wrong, &on_gpu, &ONCE, 0).is_err();
+            ensure(told, || "another dither is not found".to_owned())?;
+            backend.run(gpu, &mut on_gpu, 39)?;
             Backend::Cpu.run(gpu, &mut full, 40)?;
-            near(&format!("{name}, GPU and CPU"), &on_cpu, &on_gpu, &SAME, 0)?;
             near(&format!("{name}, half and full"), &full, &on_gpu, &FULL, 1)?;
         }
         let coarse = |cells: &[f32], _: u32| cells.iter().map(|value| (value * 1024.0).round() / 1024.0).collect();
-        let mut wrong = halved_world(scene)?;
+        let mut wrong = world(scene)?;
         stepped(&mut wrong, 120, coarse);
         ensure(near(&format!("{name}, control"), &wrong, &on_gpu, &FULL, 1).is_err(), || "a thousandth of a radian is not found".to_owned())?;
     }
@@ -205,18 +210,18 @@ pub(crate) fn one_dispatch_a_stage(gpu: &Gpu) -> Verdict {
         let mut world = world(scene)?;
         world.scene.budget.precision = precision.clone();
         let mut step = GpuStep::new(gpu, &world)?;
-        (0..40).try_for_each(|_| step.step(gpu, &mut world))?;
+        (0..20).try_for_each(|_| step.step(gpu, &mut world))?;
         let before = (step.work, world.state.stands[0].counters);
         (0..10).try_for_each(|_| step.step(gpu, &mut world))?;
         // rest, contact, two substeps of the wave, upper segments; wake only where patches woke.
         let woken = world.state.stands[0].counters.woken - before.1.woken;
         let dispatches = step.work.dispatches - before.0.dispatches;
         ensure(woken == 0 && dispatches == 10 * 5, || format!("{dispatches} dispatches in 10 steps, {woken} patches woken"))?;
-        // The body has left: the wave alone, and upper segments near the camera.
-        let mut still = self::world(BALL)?;
+        // The body has left, and no camera is near: the wave alone.
+        let mut still = self::world(&BALL.replace("until: 1.5", "until: 0.2").replace("wind: [Uniform(velocity: (4, 1))]", "budget: (lag_distance: 0)"))?;
         still.scene.budget.precision = precision;
         let mut step = GpuStep::new(gpu, &still)?;
-        (0..100).try_for_each(|_| step.step(gpu, &mut still))?;
+        (0..20).try_for_each(|_| step.step(gpu, &mut still))?;
         let before = (step.work, still.state.stands[0].counters);
         (0..10).try_for_each(|_| step.step(gpu, &mut still))?;
         let cells = 64 * 64 * (still.state.stands[0].counters.patch_steps - before.1.patch_steps);

@@ -54,8 +54,10 @@ pub(crate) struct Counters {
     pub(crate) dispatches: u64,
     pub(crate) invocations: u64,
     pub(crate) bytes_uploaded: u64,
-    /// What the passes read and write at least.
+    /// What the passes read and write at least, without upper segments.
     pub(crate) bytes_moved: u64,
+    /// The same for upper segments.
+    pub(crate) upper_bytes_moved: u64,
 }
 
 /// Bytes of the state as it stands.
@@ -95,6 +97,7 @@ impl Counters {
             let work = step.work;
             (counters.dispatches, counters.invocations) = (work.dispatches, work.invocations);
             (counters.bytes_uploaded, counters.bytes_moved) = (work.uploaded, work.traffic);
+            counters.upper_bytes_moved = work.upper_traffic;
         }
         counters
     }
@@ -110,6 +113,7 @@ impl Counters {
             invocations: self.invocations - before.invocations,
             bytes_uploaded: self.bytes_uploaded - before.bytes_uploaded,
             bytes_moved: self.bytes_moved - before.bytes_moved,
+            upper_bytes_moved: self.upper_bytes_moved - before.upper_bytes_moved,
         }
     }
 }
@@ -184,11 +188,12 @@ impl Report {
         if counters.dispatches > 0 {
             let _ = writeln!(
                 text,
-                "{} dispatches, {} invocations, {:.1} MB uploaded, {:.1} bytes moved a cell and step at least",
+                "{} dispatches, {} invocations, {:.1} MB uploaded, {:.1} bytes moved a cell and step at least, {:.1} more by upper segments",
                 counters.dispatches,
                 counters.invocations,
                 counters.bytes_uploaded as f64 / 1e6,
-                counters.bytes_moved as f64 / counters.cell_steps.max(1) as f64
+                counters.bytes_moved as f64 / counters.cell_steps.max(1) as f64,
+                counters.upper_bytes_moved as f64 / counters.cell_steps.max(1) as f64
             );
         }
         if let Some(nanoseconds) = self.device_ns_per_cell {
