@@ -55,7 +55,9 @@ pub(crate) enum Command {
         data/manifest.json lists every array: name, file, shape, axes, unit, step and time.")]
     Simulate(Simulate),
     /// Run a scene on the CPU and on the GPU, and say how far they are apart
-    #[command(after_long_help = "Examples:\n  sward compare hello --steps 240\n  sward compare hello --precision half\n\nExit status 1 means: further apart than the tolerance.")]
+    #[command(
+        after_long_help = "Examples:\n  sward compare hello --steps 240\n  sward compare hello --precision half\n\nExit status 1 means: further apart than the tolerance."
+    )]
     Compare(Compare),
     /// Measure what a scene costs on this machine, stage by stage
     #[command(after_long_help = "Examples:\n  sward bench hello\n  sward bench hello --on gpu -o figures/\n\n\

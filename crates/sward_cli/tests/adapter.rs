@@ -101,7 +101,8 @@ fn compare_shows_what_half_precision_costs() {
 fn bench_times_every_pass_on_the_device() {
     let place = Place::with_small("bench_gpu");
     let measured = |precision: &str| -> serde_json::Value {
-        let arguments = ["bench", "small.ron", "--steps", "12", "--warm-up", "3", "--size", "48x27", "--on", "gpu", "--draw", "gpu", "-o", precision];
+        let arguments =
+            ["bench", "small.ron", "--steps", "12", "--warm-up", "3", "--size", "48x27", "--on", "gpu", "--draw", "gpu", "-o", precision];
         said(&place, &[&arguments[..], &["--precision", precision]].concat());
         serde_json::from_str(&std::fs::read_to_string(place.0.join(precision).join("bench.json")).expect("written")).expect("JSON")
     };
@@ -112,7 +113,8 @@ fn bench_times_every_pass_on_the_device() {
         assert!(number(&report["memory"]["state_allocated"]) >= number(&report["memory"]["state"]));
         assert!(number(&report["counters"]["bytes_moved"]) > 1.4 * each * number(&report["counters"]["cell_steps"]));
         assert!(number(&report["half_to_full"]["median"]) > 0.0);
-        let passes: Vec<&str> = report["device_stages"].as_array().expect("a list").iter().filter_map(|row| row["stage"].as_str()).collect();
+        let passes: Vec<&str> =
+            report["device_stages"].as_array().expect("a list").iter().filter_map(|row| row["stage"].as_str()).collect();
         // An adapter without a clock times none.
         assert!(passes.is_empty() || ["wave_pass", "prepare", "shadow"].iter().all(|pass| passes.contains(pass)), "{passes:?}");
     }

@@ -121,7 +121,8 @@ impl Renderer {
         }
         {
             // Near things first: what they hide is never shaded.
-            let writes = self.stopwatch.as_mut().and_then(|stopwatch| stopwatch.render("main pass", &["bodies", "plants", "ground", "sky"]));
+            let writes =
+                self.stopwatch.as_mut().and_then(|stopwatch| stopwatch.render("main pass", &["bodies", "plants", "ground", "sky"]));
             let (first, writes) = writes.unzip();
             let mut pass = targets.begin(&mut encoder, writes);
             let next = |pass: &mut wgpu::RenderPass<'_>, stage: u32| {

@@ -119,7 +119,19 @@ impl Studio {
             for (plain, batch) in plans.iter().enumerate() {
                 let buffers = &mut self.batches[index][plain];
                 let seen = Seen { fullness, ..*seen };
-                self.prepare.record(gpu, &mut encoder, world, stand, batch, plain == 1, &seen, look, stored, buffers, self.renderer.stopwatch.as_mut());
+                self.prepare.record(
+                    gpu,
+                    &mut encoder,
+                    world,
+                    stand,
+                    batch,
+                    plain == 1,
+                    &seen,
+                    look,
+                    stored,
+                    buffers,
+                    self.renderer.stopwatch.as_mut(),
+                );
             }
             filled.push([plans[0].plants, plans[1].plants]);
         }

@@ -177,7 +177,9 @@ fn table(rows: &[Row], agreement: &Agreement) -> String {
         let mark = if row.agrees { "" } else { "  over the tolerance" };
         text += &format!("{step:>6} {stand:<12} {stage:<15} {numbers}{mark}\n");
     }
-    for (stage, unit, tolerance) in [("bend", "rad", agreement.bend), ("rate", "rad/s", agreement.rate), ("upper segments", "rad", agreement.upper)] {
+    for (stage, unit, tolerance) in
+        [("bend", "rad", agreement.bend), ("rate", "rad/s", agreement.rate), ("upper segments", "rad", agreement.upper)]
+    {
         let Tolerance { p999, rms, outlier, share } = tolerance;
         text += &format!(
             "\nTolerance, {stage}: p99.9 {p999} and rms {rms} {unit}, at most {share} of the values off by more than {outlier} {unit}"

@@ -114,7 +114,9 @@ impl CellBuffers {
         // On hills the ground under a cell takes three.
         let widest = level_words.max(if level { 0 } else { 3 }) * self.area();
         let lag_widest = u64::from(self.upper_planes.max(self.ring_planes)) * self.area();
-        let (Some(slots), Some(lag_slots)) = (room(slots, self.slots, budget, widest), room(lag_slots, self.lag_slots, lag_budget, lag_widest)) else {
+        let (Some(slots), Some(lag_slots)) =
+            (room(slots, self.slots, budget, widest), room(lag_slots, self.lag_slots, lag_budget, lag_widest))
+        else {
             return Err(GpuError::TooManyCells { slots, cells: self.cells, most: (limit / widest) as u32 });
         };
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
