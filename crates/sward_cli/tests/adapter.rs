@@ -119,7 +119,9 @@ fn bench_times_every_pass_on_the_device() {
         assert!(passes.is_empty() || ["wave_pass", "prepare", "shadow"].iter().all(|pass| passes.contains(pass)), "{passes:?}");
     }
     assert_eq!(full["counters"]["cell_steps"], half["counters"]["cell_steps"]);
-    assert!(number(&half["counters"]["bytes_moved"]) < 0.6 * number(&full["counters"]["bytes_moved"]));
+    // The wave moves three times 8 bytes less; contact moves the same.
+    let moved = |report: &serde_json::Value| number(&report["counters"]["bytes_moved"]);
+    assert!(moved(&full) - moved(&half) >= 24.0 * number(&full["counters"]["cell_steps"]));
 }
 
 fn compare_does_not_call_nothing_agreement() {

@@ -38,9 +38,9 @@ struct Agreement {
 const FULL: Agreement = Agreement { bend: BEND, upper: UPPER, rate: RATE, patches: 0.0 };
 /// Of half precision with full. Rounding moves the moment a patch comes to rest by some steps.
 const HALF: Agreement = Agreement {
-    bend: Tolerance { p999: 2e-3, rms: 3e-4, outlier: 0.02, share: 1e-4 },
+    bend: Tolerance { p999: 1e-3, rms: 1.5e-4, outlier: 0.02, share: 1e-4 },
     upper: Tolerance { p999: 1e-2, rms: 5e-3, outlier: 0.1, share: 5e-4 },
-    rate: Tolerance { p999: 0.2, rms: 2e-2, outlier: 1.0, share: 1e-4 },
+    rate: Tolerance { p999: 0.1, rms: 2e-2, outlier: 1.0, share: 1e-4 },
     patches: 0.1,
 };
 
