@@ -1,8 +1,9 @@
-//! `sward render`: one picture, or a sequence of frames.
+//! `sward render`: one picture, or a sequence of frames; clips are made of these in [`crate::clip`].
 
 use std::fs::File;
 use std::io::{BufWriter, Error};
-use std::path::PathBuf;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use image::codecs::png::PngEncoder;
@@ -14,11 +15,15 @@ use crate::arguments::{self, Draw, Where};
 use crate::artist::{self, Artist};
 use crate::backend::Backend;
 use crate::checkpoint::{Checkpoint, Settings};
+use crate::clip;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::output;
 use crate::progress::Progress;
 use crate::scenes::{self, Opened};
+
+/// Frames a second of a sequence, if nothing else is asked for.
+const RATE: u32 = 30;
 
 /// A picture to take.
 pub(crate) struct Shot {
@@ -28,6 +33,13 @@ pub(crate) struct Shot {
     behind: f64,
     /// Where it goes.
     path: PathBuf,
+}
+
+impl Shot {
+    /// Where it goes.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
 }
 
 /// What was done, for the summary.
@@ -42,9 +54,19 @@ pub(crate) struct Done {
     kept: usize,
 }
 
+impl Done {
+    /// How many frames were there already, in words that follow `frames`.
+    pub(crate) fn kept(&self) -> String {
+        if self.kept == 0 { String::new() } else { format!(", {} of them there already", self.kept) }
+    }
+}
+
 /// Draws what was asked for.
 pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<(), Failure> {
     let opened = scenes::open(&arguments.scene)?;
+    if clip::is_wanted(arguments, &opened)? {
+        return clip::run(arguments, &opened, console);
+    }
     let rate = opened.scene.steps_per_second;
     let (shots, sequence, place) = match &arguments.frames {
         None => {
@@ -55,21 +77,17 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
         Some(frames) => {
             let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}_frames", opened.name)));
             output::folder(&folder, true)?;
-            let shot = |frame| {
-                let (step, behind) = moment(f64::from(frame) * f64::from(rate) / f64::from(arguments.fps));
-                Shot { step, behind, path: folder.join(format!("frame_{frame:04}.png")) }
-            };
-            let settings = Settings::new(&opened, arguments.size, arguments.fps);
-            let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every, arguments.resume)?;
-            (frames.clone().map(shot).collect(), Some((folder.clone(), checkpoint)), folder)
+            let fps = arguments.fps.unwrap_or(RATE);
+            let settings = Settings::new(&opened, arguments.size, fps);
+            let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every(), arguments.resume)?;
+            (shots(&opened, frames.clone(), fps, &folder), Some((folder.clone(), checkpoint)), folder)
         }
     };
     let done = draw(&opened, &shots, sequence, arguments.size, (arguments.on, arguments.draw), console)?;
     let [width, height] = arguments.size;
     let what = match (shots.len(), shots.last()) {
         (1, Some(shot)) => format!("at {:.2} s", (shot.step as f64 - shot.behind) / f64::from(rate)),
-        (frames, _) if done.kept > 0 => format!("{frames} frames, {} of them there already", done.kept),
-        (frames, _) => format!("{frames} frames"),
+        (frames, _) => format!("{frames} frames{}", done.kept()),
     };
     let (place, Done { artist, on, seconds, .. }) = (place.display(), done);
     console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {artist} in {seconds:.1} s", opened.name))
@@ -79,6 +97,16 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
 pub(crate) fn single(opened: &Opened, time: Option<f64>, path: PathBuf) -> Shot {
     let (step, behind) = moment(time.unwrap_or(opened.time) * f64::from(opened.scene.steps_per_second));
     Shot { step, behind, path }
+}
+
+/// The frames of a sequence, in order of time.
+pub(crate) fn shots(opened: &Opened, frames: Range<u32>, fps: u32, folder: &Path) -> Vec<Shot> {
+    let rate = opened.scene.steps_per_second;
+    let shot = |frame| {
+        let (step, behind) = moment(f64::from(frame) * f64::from(rate) / f64::from(fps));
+        Shot { step, behind, path: folder.join(format!("frame_{frame:04}.png")) }
+    };
+    frames.map(shot).collect()
 }
 
 /// The first whole step not before a moment given in steps, and how far before it that lies.
