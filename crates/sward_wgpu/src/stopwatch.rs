@@ -61,7 +61,7 @@ impl Stopwatch {
         })
     }
 
-    /// Times a render pass of several stages; between them goes [`Stopwatch::next`], with the number that comes back and then counted up. Where the device
+    /// Times a render pass of several stages; between them goes [`Stopwatch::next`], with the number that comes back, counted up. Where the device
     /// tells no time within a pass, all of it is one stage, `whole`.
     pub fn render(&mut self, whole: &'static str, stages: &[&'static str]) -> Option<(u32, wgpu::RenderPassTimestampWrites<'_>)> {
         let stages = if self.inside && !stages.is_empty() { stages } else { &[whole] };

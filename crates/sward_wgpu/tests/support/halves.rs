@@ -195,7 +195,7 @@ pub(crate) fn half_memory(gpu: &Gpu) -> Verdict {
         while let Some(slot) = state.free.pop_first() {
             let awake = Awake { slot, lag: NONE, rest: 0, fading: 0, woken: true, lag_woken: false, wind_only: false };
             state.awake.insert([slot as i32, 0], awake);
-            if slot % 32 == 0 {
+            if slot.is_multiple_of(32) {
                 buffers.reserve(gpu, &state, true)?;
             }
         }
