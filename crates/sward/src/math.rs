@@ -14,7 +14,7 @@ mod wide;
 
 use std::f32::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, LOG2_E, PI};
 
-pub use hash::{hash, unit};
+pub use hash::{hash, mixed, unit};
 pub use wide::{atan2_f64, exp_f64, ln_f64, sin_cos_f64, wrapped, wrapped_angle};
 
 /// The text of the WGSL twin; every other WGSL file of this crate may call it.

@@ -57,7 +57,9 @@ pub(crate) enum Command {
         data/manifest.json lists every array: name, file, shape, axes, unit, step and time.")]
     Simulate(Simulate),
     /// Run a scene on the CPU and on the GPU, and say how far they are apart
-    #[command(after_long_help = "Example:\n  sward compare hello --steps 240\n\nExit status 1 means: further apart than the tolerance.")]
+    #[command(
+        after_long_help = "Examples:\n  sward compare hello --steps 240\n  sward compare hello --precision half\n\nExit status 1 means: further apart than the tolerance."
+    )]
     Compare(Compare),
     /// Measure what a scene costs on this machine, stage by stage
     #[command(after_long_help = "Examples:\n  sward bench hello\n  sward bench hello --on gpu -o figures/\n\n\
@@ -150,6 +152,9 @@ pub(crate) struct Compare {
     /// Steps to run
     #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) steps: u32,
+    /// How the GPU stores cells: 32 bytes each, or 16; by default what the scene says
+    #[arg(long, value_enum)]
+    pub(crate) precision: Option<Precision>,
 }
 
 /// `sward bench`.
@@ -172,6 +177,9 @@ pub(crate) struct Bench {
     /// What draws the pictures
     #[arg(long, value_enum, default_value_t = Draw::Auto)]
     pub(crate) draw: Draw,
+    /// How the GPU stores cells: 32 bytes each, or 16; by default what the scene says
+    #[arg(long, value_enum)]
+    pub(crate) precision: Option<Precision>,
     /// Folder for bench.json and bench.csv
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
@@ -219,6 +227,24 @@ pub(crate) enum Draw {
     Gpu,
     /// The CPU: nothing but this program is needed
     Cpu,
+}
+
+/// How a GPU stores cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Precision {
+    /// 32 bytes a cell
+    Full,
+    /// 16 bytes a cell, rounded in every step
+    Half,
+}
+
+impl From<Precision> for sward::scene::Precision {
+    fn from(precision: Precision) -> Self {
+        match precision {
+            Precision::Full => Self::Full,
+            Precision::Half => Self::Half,
+        }
+    }
 }
 
 /// Where the simulation runs, where results must not depend on what the machine has.

@@ -19,13 +19,18 @@ pub(crate) enum Artist<'a> {
 
 /// The adapter, where one is needed, or there is one and it may be used. That there is none is said once.
 pub(crate) fn adapter(draw: Draw, on: Where, console: &Console) -> Result<Option<Gpu>, Failure> {
+    adapter_by(Gpu::new, draw, on, console)
+}
+
+/// As [`adapter`], opened in a way of the caller's.
+pub(crate) fn adapter_by(open: fn() -> Result<Gpu, GpuError>, draw: Draw, on: Where, console: &Console) -> Result<Option<Gpu>, Failure> {
     if draw == Draw::Gpu || on == Where::Gpu {
-        return Ok(Some(Gpu::new()?));
+        return Ok(Some(open()?));
     }
     if draw == Draw::Cpu {
         return Ok(None);
     }
-    let why = match Gpu::new() {
+    let why = match open() {
         Ok(gpu) => return Ok(Some(gpu)),
         Err(GpuError::NoAdapter) => "no graphics adapter found".to_owned(),
         Err(error @ GpuError::NoDevice { .. }) => error.to_string(),

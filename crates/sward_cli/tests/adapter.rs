@@ -8,12 +8,14 @@ use sward_wgpu::gpu::Gpu;
 fn main() {
     let arguments = Arguments::from_args();
     let missing = Gpu::new().is_err() && std::env::var_os("CI").is_none();
-    let tests: [(&str, fn()); 7] = [
+    let tests: [(&str, fn()); 9] = [
         ("without_arguments_a_first_picture_is_made", without_arguments_a_first_picture_is_made),
         ("render_writes_one_picture_of_the_asked_size", render_writes_one_picture_of_the_asked_size),
         ("render_writes_a_sequence_of_frames", render_writes_a_sequence_of_frames),
         ("render_refuses_what_the_adapter_cannot_draw", render_refuses_what_the_adapter_cannot_draw),
         ("compare_finds_agreement", compare_finds_agreement),
+        ("compare_shows_what_half_precision_costs", compare_shows_what_half_precision_costs),
+        ("bench_times_every_pass_on_the_device", bench_times_every_pass_on_the_device),
         ("compare_does_not_call_nothing_agreement", compare_does_not_call_nothing_agreement),
         ("simulate_writes_the_same_shapes_on_the_gpu", simulate_writes_the_same_shapes_on_the_gpu),
     ];
@@ -84,6 +86,42 @@ fn compare_finds_agreement() {
         assert!(text.contains(word), "no `{word}` in\n{text}");
     }
     assert!(!text.contains("over the tolerance"), "{text}");
+}
+
+fn compare_shows_what_half_precision_costs() {
+    let place = Place::with_small("compare_half");
+    let compared = |precision| said(&place, &["compare", "small.ron", "--steps", "40", "--precision", precision]);
+    let (half, full) = (compared("half"), compared("full"));
+    assert!(half.contains("at half precision") && !half.contains("over the tolerance"), "{half}");
+    assert!(!full.contains("at half precision"), "{full}");
+    let numbers = |text: &str| text.lines().filter(|line| line.contains(" bend ")).map(str::to_owned).collect::<Vec<_>>();
+    assert!(!numbers(&half).is_empty() && numbers(&half) != numbers(&full), "{half}{full}");
+}
+
+fn bench_times_every_pass_on_the_device() {
+    let place = Place::with_small("bench_gpu");
+    let measured = |precision: &str| -> serde_json::Value {
+        let arguments =
+            ["bench", "small.ron", "--steps", "12", "--warm-up", "3", "--size", "48x27", "--on", "gpu", "--draw", "gpu", "-o", precision];
+        said(&place, &[&arguments[..], &["--precision", precision]].concat());
+        serde_json::from_str(&std::fs::read_to_string(place.0.join(precision).join("bench.json")).expect("written")).expect("JSON")
+    };
+    let (full, half) = (measured("full"), measured("half"));
+    let number = |value: &serde_json::Value| value.as_f64().expect("a number");
+    for (report, each) in [(&full, 32.0), (&half, 16.0)] {
+        assert_eq!(number(&report["memory"]["state"]), each * number(&report["memory"]["cells_awake"]));
+        assert!(number(&report["memory"]["state_allocated"]) >= number(&report["memory"]["state"]));
+        assert!(number(&report["counters"]["bytes_moved"]) > 1.4 * each * number(&report["counters"]["cell_steps"]));
+        assert!(number(&report["half_to_full"]["median"]) > 0.0);
+        let passes: Vec<&str> =
+            report["device_stages"].as_array().expect("a list").iter().filter_map(|row| row["stage"].as_str()).collect();
+        // An adapter without a clock times none.
+        assert!(passes.is_empty() || ["wave_pass", "prepare", "shadow"].iter().all(|pass| passes.contains(pass)), "{passes:?}");
+    }
+    assert_eq!(full["counters"]["cell_steps"], half["counters"]["cell_steps"]);
+    // The wave moves three times 8 bytes less; contact moves the same.
+    let moved = |report: &serde_json::Value| number(&report["counters"]["bytes_moved"]);
+    assert!(moved(&full) - moved(&half) >= 24.0 * number(&full["counters"]["cell_steps"]));
 }
 
 fn compare_does_not_call_nothing_agreement() {

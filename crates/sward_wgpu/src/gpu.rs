@@ -73,11 +73,26 @@ impl Gpu {
         pollster::block_on(Self::open(wanted.as_deref()))
     }
 
+    /// As [`Gpu::new`], with the device's clock where the adapter has one: for [`crate::stopwatch`].
+    ///
+    /// # Errors
+    /// As [`Gpu::new`].
+    pub fn with_clock() -> Result<Self, GpuError> {
+        let wanted = std::env::var("SWARD_ADAPTER").ok().filter(|name| !name.is_empty());
+        let clock = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
+        pollster::block_on(Self::open_with(wanted.as_deref(), clock))
+    }
+
     /// As [`Gpu::new`], with the wanted name given instead of read from the environment.
     ///
     /// # Errors
     /// As [`Gpu::new`].
     pub async fn open(wanted: Option<&str>) -> Result<Self, GpuError> {
+        Self::open_with(wanted, wgpu::Features::empty()).await
+    }
+
+    /// As [`Gpu::open`], with those of `features` that the adapter has.
+    async fn open_with(wanted: Option<&str>, features: wgpu::Features) -> Result<Self, GpuError> {
         if wanted == Some("none") {
             return Err(GpuError::NoAdapter);
         }
@@ -96,6 +111,7 @@ impl Gpu {
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
                 label: Some("sward"),
+                required_features: adapter.features() & features,
                 required_limits: wgpu::Limits::default(),
                 ..Default::default()
             })

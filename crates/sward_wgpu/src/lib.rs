@@ -7,4 +7,5 @@ pub mod compute;
 pub mod gpu;
 pub mod picture;
 pub mod render;
+pub mod stopwatch;
 pub mod studio;

@@ -15,6 +15,7 @@ use crate::render::plants::PlantDraws;
 use crate::render::shadow::ShadowMap;
 use crate::render::sky::SkyPass;
 use crate::render::targets::{Resolve, Targets};
+use crate::stopwatch::Stopwatch;
 
 /// What stays the same from picture to picture.
 #[derive(Clone, Debug)]
@@ -45,6 +46,8 @@ pub struct Renderer {
     targets: Option<Targets>,
     relief: Relief,
     shadow_reach: f32,
+    /// Times the passes of the pictures while there is one.
+    pub stopwatch: Option<Stopwatch>,
 }
 
 impl Renderer {
@@ -77,6 +80,7 @@ impl Renderer {
             shadow_reach: setup.shadow_reach.clamp(1.0, 1000.0),
             frame,
             shadow,
+            stopwatch: None,
         };
         gpu.check()?;
         Ok(renderer)
@@ -111,19 +115,36 @@ impl Renderer {
         };
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         {
-            let mut pass = self.shadow.begin(&mut encoder);
+            let writes = self.stopwatch.as_mut().and_then(|stopwatch| stopwatch.render("shadow", &[]));
+            let mut pass = self.shadow.begin(&mut encoder, writes.map(|(_, writes)| writes));
             self.bodies.draw_shadow(&mut pass);
             self.plants.draw_shadow(&mut pass, &ready);
         }
         {
             // Near things first: what they hide is never shaded.
-            let mut pass = targets.begin(&mut encoder);
+            let writes =
+                self.stopwatch.as_mut().and_then(|stopwatch| stopwatch.render("main pass", &["bodies", "plants", "ground", "sky"]));
+            let (first, writes) = writes.unzip();
+            let mut pass = targets.begin(&mut encoder, writes);
+            let next = |pass: &mut wgpu::RenderPass<'_>, stage: u32| {
+                if let (Some(stopwatch), Some(first)) = (&self.stopwatch, first) {
+                    stopwatch.next(pass, first + stage);
+                }
+            };
             self.bodies.draw(&mut pass);
+            next(&mut pass, 1);
             self.plants.draw(&mut pass, &ready);
+            next(&mut pass, 2);
             self.ground.draw(&mut pass);
+            next(&mut pass, 3);
             self.sky.draw(&mut pass);
         }
-        self.resolve.draw(&mut encoder, &targets, &targets.display.create_view(&Default::default()));
+        let writes = self.stopwatch.as_mut().and_then(|stopwatch| stopwatch.render("resolve", &[]));
+        let display = targets.display.create_view(&Default::default());
+        self.resolve.draw(&mut encoder, &targets, &display, writes.map(|(_, writes)| writes));
+        if let Some(stopwatch) = &self.stopwatch {
+            stopwatch.resolve(&mut encoder);
+        }
         gpu.queue.submit([encoder.finish()]);
         self.targets = Some(targets);
         gpu.check()

@@ -2,6 +2,7 @@
 
 use sward::picture::plan::{Seen, plan};
 use sward::picture::subject::{self, Frame};
+use sward::scene::Precision;
 use sward::shading::look::Look;
 use sward::world::World;
 
@@ -12,6 +13,7 @@ use crate::picture::{Picture, Renderer, Setup};
 use crate::render::growth_maps::GrowthMaps;
 use crate::render::plants::{PlantBatch, PlantCount, PlantDraws};
 use crate::render::prepare::{BatchBuffers, PreparePass};
+use crate::stopwatch::Stopwatch;
 
 /// Where the cells to be drawn are.
 pub enum CellsAt<'a> {
@@ -46,7 +48,7 @@ impl Studio {
         let relief = subject::relief(&world.model.terrain);
         let mut renderer = Renderer::new(gpu, &Setup { relief, looks: looks.clone(), ..Setup::default() })?;
         let meshes = subject::meshes(world).iter().map(|mesh| mesh.as_ref().map(|mesh| renderer.add_mesh(gpu, mesh))).collect();
-        let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand)).collect();
+        let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand, Precision::Full)).collect();
         let batches = world.model.stands.iter().map(|_| Default::default()).collect();
         let growth = world.model.stands.iter().map(|stand| GrowthMaps::new(gpu, stand)).collect();
         let studio = Self { renderer, prepare: PreparePass::new(gpu, world), looks, meshes, batches, growth, uploaded };
@@ -96,6 +98,11 @@ impl Studio {
         self.renderer.read(gpu)
     }
 
+    /// Times the passes of the pictures while there is one.
+    pub fn stopwatch(&mut self) -> &mut Option<Stopwatch> {
+        &mut self.renderer.stopwatch
+    }
+
     /// The plants of a stand in the last picture: near ones with all segments, and plain ones.
     pub fn batches(&self, stand: usize) -> Option<&[BatchBuffers; 2]> {
         self.batches.get(stand)
@@ -119,7 +126,20 @@ impl Studio {
             for (plain, batch) in plans.iter().enumerate() {
                 let buffers = &mut self.batches[index][plain];
                 let seen = Seen { fullness, ..*seen };
-                self.prepare.record(gpu, &mut encoder, world, stand, batch, plain == 1, &seen, look, stored, &growth.view, buffers);
+                self.prepare.record(
+                    gpu,
+                    &mut encoder,
+                    world,
+                    stand,
+                    batch,
+                    plain == 1,
+                    &seen,
+                    look,
+                    stored,
+                    &growth.view,
+                    buffers,
+                    self.renderer.stopwatch.as_mut(),
+                );
             }
             filled.push([plans[0].plants, plans[1].plants]);
         }

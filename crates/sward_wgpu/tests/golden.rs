@@ -25,6 +25,7 @@ fn main() -> std::process::ExitCode {
         ("joints_stay_above_bumps", views::joints_stay_above_bumps),
         ("far_plants_need_one_segment", views::far_plants_need_one_segment),
         ("pictures_between_steps", views::pictures_between_steps),
+        ("pictures_at_half_precision", views::pictures_at_half_precision),
     ];
     adapter::run(tests, not_stored)
 }

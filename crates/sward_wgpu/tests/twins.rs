@@ -6,6 +6,8 @@ mod adapter;
 mod continuum;
 #[path = "support/controls.rs"]
 mod controls;
+#[path = "support/halves.rs"]
+mod halves;
 #[path = "support/kernels.rs"]
 mod kernels;
 #[path = "support/maths.rs"]
@@ -64,6 +66,12 @@ fn main() -> std::process::ExitCode {
         ("one_percent_is_found", controls::one_percent_is_found),
         ("swapped_planes_are_found", controls::swapped_planes_are_found),
         ("hand_over", controls::hand_over),
+        ("half_words", halves::half_words),
+        ("half_runs", halves::half_runs),
+        ("half_sleeps", halves::half_sleeps),
+        ("half_continues", halves::half_continues),
+        ("half_memory", halves::half_memory),
+        ("one_dispatch_a_stage", halves::one_dispatch_a_stage),
     ];
     adapter::run(tests, |_, _| None)
 }

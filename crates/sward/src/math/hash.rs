@@ -5,7 +5,7 @@
 
 /// One permutation of the 32-bit numbers: a linear step, a shift by the top bits, a product, a shift.
 #[inline(always)]
-fn mixed(value: u32) -> u32 {
+pub fn mixed(value: u32) -> u32 {
     let state = value.wrapping_mul(747796405).wrapping_add(2891336453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277803737);
     (word >> 22) ^ word

@@ -54,7 +54,7 @@ use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
 
 pub use billboard::{Billboard, BillboardOverrides};
-pub use budget::{Beyond, Budget};
+pub use budget::{Beyond, Budget, Precision};
 pub use camera::{Camera, CameraKey};
 pub use continuum::{Continuum, ContinuumOverrides, Lag};
 pub use detail::Detail;

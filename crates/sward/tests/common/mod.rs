@@ -3,8 +3,8 @@
 
 use sward::lanes::Lanes;
 use sward::model::{Model, NoAssets, StandModel};
-use sward::plan::{PatchPlan, StandPlan};
-use sward::response::continuum;
+use sward::plan::{PatchPlan, Plan, StandPlan};
+use sward::response::continuum::{self, half};
 use sward::scene::Scene;
 use sward::state::{Cells, Ground, NONE, Summary};
 use sward::world::World;
@@ -14,6 +14,24 @@ pub(crate) fn world(text: &str) -> World {
     let text = format!("(version: 1, {text})");
     let scene = Scene::parse(&text, "test.ron").unwrap_or_else(|error| panic!("{error}\n{text}"));
     World::new(scene, &NoAssets).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Rounds the cells that a step of the CPU left as a GPU at half precision stores them.
+pub(crate) fn halve(world: &mut World, plan: &Plan) {
+    round(world, plan, |cells, patch| half::unpack_patch(&half::pack_patch(cells, patch)));
+}
+
+/// Rounds the cells of a step in some way; it is given the planes of a patch and the number its dither comes from.
+pub(crate) fn round(world: &mut World, plan: &Plan, rounding: fn(&[f32], u32) -> Vec<f32>) {
+    for (plan_of, state) in plan.stands.iter().zip(&mut world.state.stands) {
+        for patch in &plan_of.patches {
+            let number = half::patch_dither(patch.patch, plan.step);
+            for level in [&mut state.cells.now, &mut state.cells.old] {
+                let cells = &mut level[patch.slot as usize];
+                *cells = rounding(cells, number).into();
+            }
+        }
+    }
 }
 
 /// A small, fast, repeatable source of numbers in 0..1.

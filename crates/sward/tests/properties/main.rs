@@ -12,6 +12,7 @@ mod finite;
 mod flips;
 mod footprints;
 mod growth;
+mod halved;
 mod patches;
 mod placement;
 mod residents;

@@ -1,12 +1,16 @@
 //! The cells of one stand on the GPU. Buffers grow with the number of slots in use, never with the terrain.
 
 use sward::response::StandModel;
+use sward::response::continuum::half;
+use sward::scene::Precision;
 use sward::state::{Awake, Cells, NONE, StandState};
 
 use crate::gpu::{Gpu, GpuError};
 
 /// Two time levels, upper segments, ground and wind nodes of one stand.
 pub struct CellBuffers {
+    /// How cells are stored.
+    pub precision: Precision,
     cells: u32,
     upper_planes: u32,
     ring_planes: u32,
@@ -15,7 +19,9 @@ pub struct CellBuffers {
     lag_slots: u32,
     /// Slots there is ground for.
     ground_slots: u32,
-    /// Time level n; 4·cells² values a slot.
+    /// Steepest slope under the cells of each slot: 0 on level ground, and without end where it is not known.
+    pub steepest: Vec<f32>,
+    /// Time level n; 4·cells² words a slot, or 2·cells² at half precision.
     pub now: wgpu::Buffer,
     /// Time level n−1.
     pub old: wgpu::Buffer,
@@ -29,6 +35,14 @@ pub struct CellBuffers {
     pub past: wgpu::Buffer,
 }
 
+/// Words of 32 bits that a cell takes in one time level.
+fn words(precision: &Precision) -> u64 {
+    match precision {
+        Precision::Full => 4,
+        Precision::Half => 2,
+    }
+}
+
 fn storage(gpu: &Gpu, label: &str, floats: u64) -> wgpu::Buffer {
     gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
@@ -40,16 +54,18 @@ fn storage(gpu: &Gpu, label: &str, floats: u64) -> wgpu::Buffer {
 
 impl CellBuffers {
     /// Empty buffers for a stand.
-    pub fn new(gpu: &Gpu, stand: &StandModel) -> Self {
+    pub fn new(gpu: &Gpu, stand: &StandModel, precision: Precision) -> Self {
         let lag = &stand.lag;
         let empty = || storage(gpu, "empty", 0);
         Self {
+            precision,
             cells: stand.cells,
             upper_planes: 2 * (lag.segments - 1),
             ring_planes: if lag.kind == 1 && lag.segments > 1 { 2 * lag.ring } else { 0 },
             slots: 0,
             lag_slots: 0,
             ground_slots: 0,
+            steepest: Vec::new(),
             now: empty(),
             old: empty(),
             ground: empty(),
@@ -68,7 +84,18 @@ impl CellBuffers {
         self.ground_slots > 0
     }
 
-    /// Makes room for the slots that `state` uses, keeping what is stored. True if buffers were replaced.
+    /// Bytes of β and ω at two times, as allocated.
+    pub fn state_bytes(&self) -> u64 {
+        self.now.size() + self.old.size()
+    }
+
+    /// Bytes of a cell in one time level.
+    pub fn cell_bytes(&self) -> u64 {
+        4 * words(&self.precision)
+    }
+
+    /// Makes room for the slots that `state` uses, keeping what is stored: doubled as they grow, but never more than the budget allows.
+    /// True if buffers were replaced.
     ///
     /// # Errors
     /// More cells than one buffer of this device can bind.
@@ -80,13 +107,20 @@ impl CellBuffers {
             return Ok(false);
         }
         let limit = gpu.device.limits().max_storage_buffer_binding_size / 4;
-        let room = |wanted: u32, have: u32, floats: u64| {
+        let room = |wanted: u32, have: u32, budget: usize, floats: u64| {
             let fits = limit.checked_div(floats).map_or(u32::MAX, |slots| slots.min(u64::from(u32::MAX)) as u32);
-            if wanted > fits { None } else { Some(wanted.next_power_of_two().max(have).min(fits)) }
+            let most = fits.min((budget as u32).max(wanted));
+            if wanted > fits { None } else { Some(wanted.next_power_of_two().max(have).min(most)) }
         };
-        let widest = 4 * self.area();
+        let budget = state.awake.len() + state.free.len();
+        let lag_budget = state.awake.values().filter(|awake| awake.lag != NONE).count() + state.lag_free.len();
+        let level_words = words(&self.precision);
+        // On hills the ground under a cell takes three.
+        let widest = level_words.max(if level { 0 } else { 3 }) * self.area();
         let lag_widest = u64::from(self.upper_planes.max(self.ring_planes)) * self.area();
-        let (Some(slots), Some(lag_slots)) = (room(slots, self.slots, widest), room(lag_slots, self.lag_slots, lag_widest)) else {
+        let (Some(slots), Some(lag_slots)) =
+            (room(slots, self.slots, budget, widest), room(lag_slots, self.lag_slots, lag_budget, lag_widest))
+        else {
             return Err(GpuError::TooManyCells { slots, cells: self.cells, most: (limit / widest) as u32 });
         };
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -102,8 +136,8 @@ impl CellBuffers {
         let area = u64::from(self.cells) * u64::from(self.cells);
         let nodes = u64::from(self.cells / 2 + 3) * u64::from(self.cells / 2 + 3) * 2;
         let (have, want) = (u64::from(self.slots), u64::from(slots));
-        grow(&mut self.now, "cells now", have * 4 * area, want * 4 * area);
-        grow(&mut self.old, "cells before", have * 4 * area, want * 4 * area);
+        grow(&mut self.now, "cells now", have * level_words * area, want * level_words * area);
+        grow(&mut self.old, "cells before", have * level_words * area, want * level_words * area);
         grow(&mut self.nodes, "rest at wind nodes", have * nodes, want * nodes);
         if !level {
             grow(&mut self.ground, "ground under cells", u64::from(self.ground_slots) * 3 * area, want * 3 * area);
@@ -115,6 +149,7 @@ impl CellBuffers {
         grow(&mut self.past, "past bend", have * ring, want * ring);
         gpu.queue.submit([encoder.finish()]);
         (self.slots, self.lag_slots) = (slots, lag_slots);
+        self.steepest.resize(slots as usize, if level { 0.0 } else { f32::MAX });
         Ok(true)
     }
 
@@ -123,17 +158,25 @@ impl CellBuffers {
         std::mem::swap(&mut self.now, &mut self.old);
     }
 
-    /// Writes the cells of awake patches that the CPU holds.
-    pub fn upload(&self, gpu: &Gpu, state: &StandState) {
+    /// Writes the cells of awake patches that the CPU holds. What was stored at half precision once is stored as the same bits again.
+    pub fn upload(&mut self, gpu: &Gpu, state: &StandState) {
         let write = |buffer: &wgpu::Buffer, values: Option<&Box<[f32]>>, slot: u32| {
             if let Some(values) = values.filter(|values| !values.is_empty()) {
                 gpu.queue.write_buffer(buffer, u64::from(slot) * values.len() as u64 * 4, bytemuck::cast_slice(values));
             }
         };
-        for awake in state.awake.values() {
+        let write_level = |buffer: &wgpu::Buffer, values: Option<&Box<[f32]>>, slot: u32, dither: u32| match values {
+            Some(values) if self.precision == Precision::Half => {
+                let packed = half::pack_patch(values, dither);
+                gpu.queue.write_buffer(buffer, u64::from(slot) * packed.len() as u64 * 4, bytemuck::cast_slice(&packed));
+            }
+            _ => write(buffer, values, slot),
+        };
+        for (patch, awake) in &state.awake {
+            let dither = half::patch_dither(*patch, 0);
             let (slot, lag) = (awake.slot as usize, awake.lag as usize);
-            write(&self.now, state.cells.now.get(slot), awake.slot);
-            write(&self.old, state.cells.old.get(slot), awake.slot);
+            write_level(&self.now, state.cells.now.get(slot), awake.slot, dither);
+            write_level(&self.old, state.cells.old.get(slot), awake.slot, dither);
             if let Some(ground) = state.cells.ground.get(slot).filter(|_| self.ground_slots > awake.slot) {
                 let planes = ground.planes(self.area() as usize);
                 let bytes = bytemuck::cast_slice(&planes);
@@ -141,6 +184,9 @@ impl CellBuffers {
             }
             write(&self.upper, state.cells.lag.get(lag), awake.lag);
             write(&self.past, state.cells.history.get(lag), awake.lag);
+            if let (Some(steepest), Some(ground)) = (self.steepest.get_mut(slot), state.cells.ground.get(slot)) {
+                *steepest = ground.steepest;
+            }
         }
     }
 
@@ -157,8 +203,15 @@ impl CellBuffers {
         let read = |buffer: &wgpu::Buffer, slots: u32, floats: u64| -> Result<Vec<Box<[f32]>>, GpuError> {
             Ok(split(super::readback::read(gpu, buffer, u64::from(slots) * floats * 4)?, floats))
         };
-        cells.now = read(&self.now, self.slots, 4 * area)?;
-        cells.old = read(&self.old, self.slots, 4 * area)?;
+        let levels = |buffer: &wgpu::Buffer| -> Result<Vec<Box<[f32]>>, GpuError> {
+            if self.precision == Precision::Full {
+                return read(buffer, self.slots, 4 * area);
+            }
+            let packed: Vec<u32> = super::readback::read(gpu, buffer, u64::from(self.slots) * 2 * area * 4)?;
+            Ok(packed.chunks_exact(2 * area as usize).map(|words| half::unpack_patch(words).into()).collect())
+        };
+        cells.now = levels(&self.now)?;
+        cells.old = levels(&self.old)?;
         cells.lag = read(&self.upper, self.lag_slots, upper)?;
         cells.history = read(&self.past, self.lag_slots, ring)?;
         cells.history.resize(cells.lag.len(), Box::default());

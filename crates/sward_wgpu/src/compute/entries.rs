@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use sward::plan::{PatchPlan, StandPlan};
 use sward::response::StandModel;
-use sward::response::continuum::{Coefficients, LagCoefficients, NODE_CELLS};
+use sward::response::continuum::{Coefficients, LagCoefficients, NODE_CELLS, half, safe_limit};
 use sward::state::{NONE, TILE};
 use sward::wind::equilibrium;
 use sward::world::World;
@@ -82,8 +82,12 @@ pub struct AwakePatch {
     pub pair_count: u32,
     /// Share of its deviation it keeps.
     pub keep: f32,
+    /// Number of the patch and the step from which cells at half precision are dithered.
+    pub dither: u32,
+    /// |β| below which the ground limits nothing, rad.
+    pub safe: f32,
     /// Keeps the size a multiple of 16 bytes.
-    pub unused: [u32; 3],
+    pub unused: u32,
 }
 
 /// The patches of each pass.
@@ -99,8 +103,8 @@ pub struct Entries {
 }
 
 impl Entries {
-    /// The lists of a plan.
-    pub fn of(plan: &StandPlan) -> Self {
+    /// The lists of a plan of step number `step`; `steepest` is the steepest slope under a slot's cells.
+    pub fn of(plan: &StandPlan, step: u64, steepest: impl Fn(u32) -> f32) -> Self {
         let pairs = 2 * plan.edges.len();
         let mut held = 0;
         let entry = |patch: &PatchPlan| {
@@ -116,7 +120,9 @@ impl Entries {
                 pair_first: (pairs + patch.pairs.start) as u32,
                 pair_count: patch.pairs.len() as u32,
                 keep: patch.keep,
-                unused: [0; 3],
+                dither: half::patch_dither(patch.patch, step),
+                safe: safe_limit(steepest(patch.slot)),
+                unused: 0,
             }
         };
         let awake: Vec<AwakePatch> = plan.patches.iter().map(entry).collect();

@@ -7,6 +7,7 @@ pub mod buffers;
 pub mod entries;
 pub mod passes;
 pub mod readback;
+pub mod traffic;
 
 use std::collections::VecDeque;
 
@@ -17,10 +18,14 @@ use sward::state::{PatchKey, Summary};
 use sward::world::World;
 
 use crate::gpu::{Gpu, GpuError};
+use crate::stopwatch::Stopwatch;
 use buffers::CellBuffers;
 use entries::{Entries, StandUniform};
 use passes::{Passes, StepBuffers};
 use readback::Readback;
+
+/// How hosts read a cell; goes after [`sward::response::continuum::HALF_WGSL`].
+pub const CELLS_WGSL: &str = include_str!("cells.wgsl");
 
 /// A summary on its way to the CPU, stand by stand.
 struct Pending {
@@ -38,6 +43,21 @@ pub struct Work {
     pub invocations: u64,
     /// Bytes handed over.
     pub uploaded: u64,
+    /// Bytes that the passes read and wrote at least: see [`traffic::Traffic`].
+    pub traffic: u64,
+    /// The same for upper segments, which only patches near a camera keep.
+    pub upper_traffic: u64,
+}
+
+impl Work {
+    /// Adds what was done besides.
+    pub fn add(&mut self, more: &Self) {
+        self.dispatches += more.dispatches;
+        self.invocations += more.invocations;
+        self.uploaded += more.uploaded;
+        self.traffic += more.traffic;
+        self.upper_traffic += more.upper_traffic;
+    }
 }
 
 /// The cells of a world, held and stepped on the GPU; planning stays in the [`World`].
@@ -47,6 +67,8 @@ pub struct GpuStep {
     pending: VecDeque<Pending>,
     /// Counters since the start.
     pub work: Work,
+    /// Times the passes of the steps while there is one.
+    pub stopwatch: Option<Stopwatch>,
 }
 
 impl GpuStep {
@@ -55,14 +77,16 @@ impl GpuStep {
     /// # Errors
     /// What the device reports.
     pub fn new(gpu: &Gpu, world: &World) -> Result<Self, GpuError> {
+        let precision = &world.scene.budget.precision;
         let mut step = Self {
-            passes: Passes::new(gpu, &world.model.wind_texels()),
+            passes: Passes::new(gpu, &world.model.wind_texels(), precision),
             stands: Vec::new(),
             pending: VecDeque::new(),
             work: Work::default(),
+            stopwatch: None,
         };
         for (stand, state) in world.model.stands.iter().zip(&world.state.stands) {
-            let mut buffers = CellBuffers::new(gpu, stand);
+            let mut buffers = CellBuffers::new(gpu, stand, precision.clone());
             buffers.reserve(gpu, state, stand.is_level(&world.model.terrain))?;
             buffers.upload(gpu, state);
             step.stands.push(buffers);
@@ -88,10 +112,21 @@ impl GpuStep {
         for (index, stand) in plan.stands.iter().enumerate() {
             self.respond(gpu, world, index, stand, plan.step, &mut encoder, &mut stands)?;
         }
+        if let Some(stopwatch) = &self.stopwatch {
+            stopwatch.resolve(&mut encoder);
+        }
         let submission = gpu.queue.submit([encoder.finish()]);
         self.pending.push_back(Pending { step: plan.step, submission, stands });
         world.end_step();
         gpu.check()
+    }
+
+    /// Waits until all steps handed over are done.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn wait(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
+        self.collect(gpu, world, 0)
     }
 
     /// Copies all awake cells and upper segments into `world.state`, as if the CPU had stepped.
@@ -152,13 +187,16 @@ impl GpuStep {
             let ground = ground_of(&world.model.terrain, stand, patch.patch);
             let planes = ground.planes((stand.cells * stand.cells) as usize);
             let bytes = bytemuck::cast_slice(&planes);
+            if let Some(steepest) = cells.steepest.get_mut(patch.slot as usize) {
+                *steepest = ground.steepest;
+            }
             gpu.queue.write_buffer(&cells.ground, u64::from(patch.slot) * bytes.len() as u64, bytes);
             self.work.uploaded += bytes.len() as u64;
         }
-        let entries = Entries::of(plan);
+        let entries = Entries::of(plan, step, |slot| cells.steepest.get(slot as usize).copied().unwrap_or(f32::MAX));
         let uniform = StandUniform::new(world, stand, plan, step);
         let buffers = StepBuffers::new(gpu, stand, plan, &entries, &uniform, &mut self.work);
-        self.passes.record(gpu, encoder, stand, &entries, &buffers, cells, &mut self.work);
+        self.passes.record(gpu, encoder, stand, &entries, &buffers, cells, &mut self.work, self.stopwatch.as_mut());
         let bytes = plan.patches.len() as u64 * 24;
         let patches = plan.patches.iter().map(|patch| patch.patch).collect();
         stands.push((patches, Readback::record(gpu, encoder, &buffers.summary, bytes)));

@@ -2,12 +2,24 @@
 
 use sward::plan::StandPlan;
 use sward::response::StandModel;
+use sward::scene::Precision;
 use wgpu::util::DeviceExt;
 
 use super::Work;
 use super::buffers::CellBuffers;
 use super::entries::{AwakePatch, Entries, StandUniform};
+use super::traffic::Traffic;
 use crate::gpu::Gpu;
+use crate::stopwatch::Stopwatch;
+
+/// Files of the compute shader, after the libraries.
+const PARTS: [&str; 5] = [
+    sward::response::continuum::HALF_WGSL,
+    super::CELLS_WGSL,
+    include_str!("stand.wgsl"),
+    include_str!("step.wgsl"),
+    include_str!("lags.wgsl"),
+];
 
 /// The full text of the compute shader.
 pub fn assembled() -> String {
@@ -17,8 +29,15 @@ pub fn assembled() -> String {
     parts.push(sward::interaction::WGSL.to_owned());
     parts.extend(sward::response::continuum::WGSL.iter().map(|part| (*part).to_owned()));
     parts.push(band);
-    parts.push(include_str!("step.wgsl").to_owned());
+    parts.extend(PARTS.map(str::to_owned));
     parts.join("\n")
+}
+
+/// What is fixed when a pipeline is made.
+#[derive(Clone, Copy)]
+struct Switches {
+    last_substep: bool,
+    half: bool,
 }
 
 /// One pipeline and the bindings its entry point uses.
@@ -29,8 +48,9 @@ struct Pass {
 }
 
 impl Pass {
-    fn new(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &'static str, last: bool, bindings: &'static [u32]) -> Self {
-        let constants = [("last_substep", f64::from(u8::from(last)))];
+    fn new(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &'static str, switches: Switches, bindings: &'static [u32]) -> Self {
+        let switch = |on: bool| f64::from(u8::from(on));
+        let constants = [("last_substep", switch(switches.last_substep)), ("half_precision", switch(switches.half))];
         let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some(entry),
             layout: None,
@@ -42,9 +62,16 @@ impl Pass {
         Self { label: entry, pipeline, bindings }
     }
 
-    fn run(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, bound: &[(u32, &wgpu::Buffer)], groups: [u32; 3], work: &mut Work) {
+    fn run(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        bound: &[(u32, &wgpu::Buffer)],
+        groups: [u32; 3],
+        stopwatch: Option<&mut Stopwatch>,
+    ) -> Work {
         if groups[2] == 0 {
-            return;
+            return Work::default();
         }
         let entries: Vec<wgpu::BindGroupEntry> = bound
             .iter()
@@ -56,12 +83,14 @@ impl Pass {
             layout: &self.pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
-        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(self.label), timestamp_writes: None });
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+            label: Some(self.label),
+            timestamp_writes: stopwatch.and_then(|stopwatch| stopwatch.compute(self.label)),
+        });
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &group, &[]);
         pass.dispatch_workgroups(groups[0], groups[1], groups[2]);
-        work.dispatches += 1;
-        work.invocations += 64 * groups.map(u64::from).iter().product::<u64>();
+        Work { dispatches: 1, invocations: 64 * groups.map(u64::from).iter().product::<u64>(), ..Work::default() }
     }
 }
 
@@ -77,8 +106,8 @@ pub struct Passes {
 }
 
 impl Passes {
-    /// Builds the pipelines; `wind_texels` as of [`sward::model::Model::wind_texels`].
-    pub fn new(gpu: &Gpu, wind_texels: &[[f32; 2]]) -> Self {
+    /// Builds the pipelines for cells of some precision; `wind_texels` as of [`sward::model::Model::wind_texels`].
+    pub fn new(gpu: &Gpu, wind_texels: &[[f32; 2]], precision: &Precision) -> Self {
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("step"),
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
@@ -88,13 +117,15 @@ impl Passes {
             contents: bytemuck::cast_slice(wind_texels),
             usage: wgpu::BufferUsages::STORAGE,
         });
-        let pass = |entry, bindings| Pass::new(gpu, &module, entry, true, bindings);
+        let half = *precision == Precision::Half;
+        let pass = |entry, bindings| Pass::new(gpu, &module, entry, Switches { last_substep: true, half }, bindings);
+        let wave_bindings = &[0, 2, 3, 4, 5, 6, 7, 11];
         Self {
             rest: pass("rest_pass", &[0, 1, 2, 7, 8, 14]),
             wake: pass("wake_pass", &[0, 2, 3, 4, 7]),
             contact: pass("contact_pass", &[0, 2, 3, 4, 5, 6, 9, 10]),
-            wave: Pass::new(gpu, &module, "wave_pass", false, &[0, 2, 3, 4, 5, 6, 7, 11]),
-            last_wave: pass("wave_pass", &[0, 2, 3, 4, 5, 6, 7, 11]),
+            wave: Pass::new(gpu, &module, "wave_pass", Switches { last_substep: false, half }, wave_bindings),
+            last_wave: pass("wave_pass", wave_bindings),
             lag: pass("lag_pass", &[0, 2, 3, 12, 13]),
             tile,
         }
@@ -110,7 +141,11 @@ impl Passes {
         step: &StepBuffers,
         cells: &mut CellBuffers,
         work: &mut Work,
+        mut stopwatch: Option<&mut Stopwatch>,
     ) {
+        let traffic = Traffic::new(stand, entries, step.gusty, cells);
+        work.traffic += traffic.rest + traffic.wake + traffic.contact + u64::from(stand.substeps) * traffic.wave;
+        work.upper_traffic += traffic.lag;
         let side = stand.cells / 8;
         let nodes = (stand.cells / 2 + 3).div_ceil(8);
         let count = |list: &[AwakePatch]| list.len() as u32;
@@ -132,7 +167,7 @@ impl Passes {
                 (13, &cells.past),
                 (14, &step.tile_wind),
             ];
-            pass.run(gpu, encoder, &bound, groups, work);
+            work.add(&pass.run(gpu, encoder, &bound, groups, stopwatch.as_deref_mut()));
         };
         if step.gusty {
             run(&self.rest, &step.awake, cells, [nodes, nodes, count(&entries.awake)]);

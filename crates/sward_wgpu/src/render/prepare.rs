@@ -4,14 +4,17 @@ pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
 use sward::picture::plan::{Seen, THINNING};
 pub use sward::picture::prepare::PrepareUniform;
 use sward::response::StandModel;
+use sward::scene::Precision;
 use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
 use sward::world::World;
 use wgpu::util::DeviceExt;
 
+use crate::compute::CELLS_WGSL;
 use super::height_samples::HeightSamples;
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::Gpu;
+use crate::stopwatch::Stopwatch;
 
 /// The full text of the compute shader.
 pub fn assembled() -> String {
@@ -22,15 +25,20 @@ pub fn assembled() -> String {
         sward::terrain::WGSL,
         sward::placement::WGSL,
         sward::geometry::billboard::WGSL,
+        sward::response::continuum::HALF_WGSL,
+        CELLS_WGSL,
         &variants,
         include_str!("prepare.wgsl"),
     ]
     .join("\n")
 }
 
-/// The pipeline and what it always reads.
+/// The pipelines and what they always read.
 pub struct PreparePass {
-    pipeline: wgpu::ComputePipeline,
+    /// For cells at full precision.
+    full: wgpu::ComputePipeline,
+    /// For cells at half precision, where the scene asks for them.
+    half: Option<wgpu::ComputePipeline>,
     heights: HeightSamples,
     tile: wgpu::Buffer,
 }
@@ -74,14 +82,16 @@ impl PreparePass {
             label: Some("prepare"),
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
         });
-        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some("prepare"),
-            layout: None,
-            module: &module,
-            entry_point: Some("prepare_pass"),
-            compilation_options: Default::default(),
-            cache: None,
-        });
+        let pipeline = |half: f64| {
+            gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some("prepare"),
+                layout: None,
+                module: &module,
+                entry_point: Some("prepare_pass"),
+                compilation_options: wgpu::PipelineCompilationOptions { constants: &[("half_precision", half)], ..Default::default() },
+                cache: None,
+            })
+        };
         let storage = |label: &str, contents: &[u8]| {
             gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
                 label: Some(label),
@@ -90,7 +100,8 @@ impl PreparePass {
             })
         };
         Self {
-            pipeline,
+            full: pipeline(0.0),
+            half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(1.0)),
             heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
             tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
         }
@@ -115,6 +126,7 @@ impl PreparePass {
         cells: &CellBuffers,
         growth: &wgpu::TextureView,
         buffers: &mut BatchBuffers,
+        stopwatch: Option<&mut Stopwatch>,
     ) {
         let drawn = if plain { 1 } else { stand.species.billboard.segments };
         (buffers.plants, buffers.segments) = (batch.plants, drawn);
@@ -138,14 +150,18 @@ impl PreparePass {
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: binding as u32, resource: buffer.as_entire_binding() })
             .collect();
         entries.push(wgpu::BindGroupEntry { binding: 10, resource: wgpu::BindingResource::TextureView(growth) });
+        let pipeline = self.half.as_ref().filter(|_| cells.precision == Precision::Half).unwrap_or(&self.full);
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("prepare"),
-            layout: &self.pipeline.get_bind_group_layout(0),
+            layout: &pipeline.get_bind_group_layout(0),
             entries: &entries,
         });
         let most = batch.draws.iter().map(|draw| draw.count).max().unwrap_or(0);
-        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("prepare"), timestamp_writes: None });
-        pass.set_pipeline(&self.pipeline);
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+            label: Some("prepare"),
+            timestamp_writes: stopwatch.and_then(|stopwatch| stopwatch.compute("prepare")),
+        });
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &group, &[]);
         pass.dispatch_workgroups(most.div_ceil(64), batch.draws.len() as u32, 1);
     }

@@ -49,13 +49,13 @@ const NONE: u32 = 0xffffffffu;
 @group(0) @binding(0) var<uniform> prepare: Prepare;
 @group(0) @binding(1) var<uniform> wind: WindBlock;
 @group(0) @binding(2) var<storage, read> draws: array<PatchDraw>;
-@group(0) @binding(3) var<storage, read> now: array<f32>;
+@group(0) @binding(3) var<storage, read> now: array<u32>;
 @group(0) @binding(4) var<storage, read> upper: array<f32>;
 @group(0) @binding(5) var<storage, read> heights: array<f32>;
 @group(0) @binding(6) var<storage, read> tile: array<vec2<f32>>;
 @group(0) @binding(7) var<storage, read_write> plants: array<Plant>;
 @group(0) @binding(8) var<storage, read_write> joints: array<vec4<f32>>;
-@group(0) @binding(9) var<storage, read> before: array<f32>;
+@group(0) @binding(9) var<storage, read> before: array<u32>;
 @group(0) @binding(10) var growth_maps: texture_2d<u32>;
 
 fn wind_tile_load(index: u32) -> vec2<f32> {
@@ -122,12 +122,12 @@ fn cell_bend(which: u32, cell: vec2<i32>, segment: u32, rest: vec2<f32>) -> vec2
         let plane = (lag * (prepare.segments - 1u) + segment - 1u) * 2u * area + index;
         return vec2<f32>(upper[plane], upper[plane + area]);
     }
-    let plane = slot * 4u * area + index;
-    let bend = vec2<f32>(now[plane], now[plane + area]);
+    let plane = cells_first(slot, area) + index;
+    let bend = cells_bend(vec2<u32>(now[plane], now[plane + area]));
     if segment != NONE || prepare.behind == 0.0 {
         return bend;
     }
-    return mix(bend, vec2<f32>(before[plane], before[plane + area]), prepare.behind * prepare.substeps);
+    return mix(bend, cells_bend(vec2<u32>(before[plane], before[plane + area])), prepare.behind * prepare.substeps);
 }
 
 /// Bend between the four cells around a plant.

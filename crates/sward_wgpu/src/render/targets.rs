@@ -94,7 +94,13 @@ impl Resolve {
         Targets { size, colour, mean, depth, bindings, display: texture("picture", DISPLAY, 1, wgpu::TextureUsages::COPY_SRC) }
     }
 
-    pub(crate) fn draw(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets, to: &wgpu::TextureView) {
+    pub(crate) fn draw(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        targets: &Targets,
+        to: &wgpu::TextureView,
+        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("resolve"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -103,6 +109,7 @@ impl Resolve {
                 resolve_target: None,
                 ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
             })],
+            timestamp_writes,
             ..Default::default()
         });
         pass.set_pipeline(&self.pipeline);
@@ -117,7 +124,11 @@ fn averages(gpu: &Gpu) -> bool {
 }
 
 impl Targets {
-    pub(crate) fn begin<'a>(&self, encoder: &'a mut wgpu::CommandEncoder) -> wgpu::RenderPass<'a> {
+    pub(crate) fn begin<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) -> wgpu::RenderPass<'a> {
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("main"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -131,6 +142,7 @@ impl Targets {
                 depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard }),
                 stencil_ops: None,
             }),
+            timestamp_writes,
             ..Default::default()
         })
     }

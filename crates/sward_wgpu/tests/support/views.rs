@@ -1,7 +1,7 @@
 //! What the pictures of scenes must and must not depend on.
 
 use sward::model::Model;
-use sward::scene::{Interactor, Path, Representation, Scene, Terrain};
+use sward::scene::{Interactor, Path, Precision, Representation, Scene, Terrain};
 use sward_wgpu::compute::readback;
 use sward_wgpu::gpu::Gpu;
 use sward_wgpu::render::plants::Plant;
@@ -211,4 +211,22 @@ pub(crate) fn pictures_between_steps(gpu: &Gpu) -> Verdict {
     println!("a step back {:.1e} m (p99), shown now {:.1e}, halfway uneven by {:.1e}", at(0, 0.99), at(1, 0.99), at(2, 0.99));
     ensure(at(0, 0.99) < 0.1 * at(1, 0.99) && at(2, 0.99) < 0.1 * at(1, 0.99), || "the moment before is not what was shown".to_owned())?;
     ensure(at(1, 0.99) > 5e-3, || "control: a step moves nothing".to_owned())
+}
+
+/// Cells at half precision make the same picture but for some pixels at the edges of leaves; a step later is another picture.
+pub(crate) fn pictures_at_half_precision(gpu: &Gpu) -> Verdict {
+    let text =
+        "(version: 1, field: (patch_side: 8), stands: [(species: Meadow, cells: 32)], camera: (eye: (0, 2.5, -7), target: (0, 0, 3)),
+        interactors: [(shape: Sphere(radius: 0.8), path: Circle(radius: 3, speed: 4))], budget: (patches: 25, visible_plants: 16384))";
+    let moment = |precision: Precision, seconds: f64| {
+        let mut scene = Scene::parse(text, "half.ron")?;
+        scene.budget.precision = precision;
+        taken_on_gpu(gpu, scene, seconds)
+    };
+    let full = moment(Precision::Full, 0.7)?;
+    let (half, later) = (moment(Precision::Half, 0.7)?, moment(Precision::Full, 0.7 + 1.0 / 60.0)?);
+    let (near, far) = (difference(&full, &half, 12), difference(&full, &later, 12));
+    println!("half precision {near:?}, a step later {far:?}");
+    ensure(near.mean < 0.05 && near.share < 1e-3, || format!("half precision: {near:?}"))?;
+    ensure(far.mean > 0.2, || format!("control: a step later {far:?}"))
 }

@@ -20,6 +20,7 @@ use Origin::{Alone, Source, Value};
 
 const PLACEMENT: &str = "placement.rs";
 const BEND: &str = "response/continuum/bend.rs";
+const HALF: &str = "response/continuum/half.rs";
 
 /// Every constant of every `.wgsl` file.
 fn constants() -> Vec<(&'static str, Origin)> {
@@ -43,6 +44,10 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("CONTINUUM_RATE_LIMIT", Value(f64::from(continuum::RATE_LIMIT))),
         ("CONTINUUM_OVER_THE_TOP", Source(BEND, "OVER_THE_TOP")),
         ("CONTINUUM_HOLDING", Source(BEND, "HOLDING")),
+        ("HALF_LARGEST_BEND", Source(HALF, "LARGEST_BEND")),
+        ("HALF_LARGEST_RATE", Source(HALF, "LARGEST_RATE")),
+        ("HALF_SMALLEST_RATE", Source(HALF, "SMALLEST_RATE")),
+        ("HALF_RATE_OFFSET", Source(HALF, "RATE_OFFSET")),
         ("BILLBOARD_CLEARANCE", Value(f64::from(billboard::CLEARANCE))),
         ("WIND_TILE_TEXELS", Value((sward::wind::TILE_SIDE * sward::wind::TILE_SIDE) as f64)),
         ("NONE", Value(f64::from(state::NONE))),

@@ -94,7 +94,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
     let stand =
         layout!(StandUniform { coefficients, lag, cells, nodes, gusty, level, rest, wind_response, height, frame, spacing, unused });
     let patch = layout!(AwakePatch {
-        slot, lag, held, flags, neighbours, patch as "patch_index", pair_first, pair_count, keep, unused
+        slot, lag, held, flags, neighbours, patch as "patch_index", pair_first, pair_count, keep, dither, safe, unused
     });
     let parameters = layout!(PlacementParameters { seed, cells, spacing, cover, height, clumping, clumps });
     let uniform = layout!(PrepareUniform {

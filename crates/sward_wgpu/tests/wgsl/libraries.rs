@@ -28,6 +28,8 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("contact", vec![math::WGSL, CONTACT_STUB, interaction::WGSL]),
         ("continuum", continuum),
         ("growth", vec![GROWTH_STUBS, growth::WGSL]),
+        ("half", vec![math::WGSL, continuum::HALF_WGSL]),
+        ("cells", vec![math::WGSL, continuum::HALF_WGSL, sward_wgpu::compute::CELLS_WGSL]),
         ("billboard", vec![math::WGSL, billboard::WGSL]),
         ("card", vec![math::WGSL, card::WGSL]),
         ("relief", vec![RELIEF_STUB, relief::WGSL]),

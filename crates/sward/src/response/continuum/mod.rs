@@ -6,6 +6,7 @@
 
 mod bend;
 mod coefficients;
+pub mod half;
 mod lag;
 mod patch;
 mod propagate;
@@ -15,6 +16,8 @@ mod step;
 /// The functions of this response in WGSL, in the order they need each other; they need `math`, `wind` and `contact` before them.
 pub const WGSL: [&str; 4] =
     [include_str!("bend.wgsl"), include_str!("propagate.wgsl"), include_str!("rest.wgsl"), include_str!("lag.wgsl")];
+/// Cells at half their size in WGSL; needs `math` before it.
+pub const HALF_WGSL: &str = include_str!("half.wgsl");
 
 pub use bend::{Held, contact, push};
 pub use coefficients::{Coefficients, HALF_PI, RATE_LIMIT, REST, SMALLEST_LIMIT, bend_limit, safe_limit};

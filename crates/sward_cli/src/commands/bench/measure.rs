@@ -32,11 +32,16 @@ impl Stages {
     /// Runs and times some work.
     pub(crate) fn time<R>(&mut self, stage: &'static str, work: impl FnOnce() -> R) -> R {
         let (seconds, result) = seconds(work);
-        match self.0.iter_mut().find(|(name, _)| *name == stage) {
-            Some((_, times)) => times.push(1e3 * seconds),
-            None => self.0.push((stage, vec![1e3 * seconds])),
-        }
+        self.add(stage, 1e3 * seconds);
         result
+    }
+
+    /// Adds a time taken elsewhere, ms.
+    pub(crate) fn add(&mut self, stage: &'static str, milliseconds: f64) {
+        match self.0.iter_mut().find(|(name, _)| *name == stage) {
+            Some((_, times)) => times.push(milliseconds),
+            None => self.0.push((stage, vec![milliseconds])),
+        }
     }
 
     /// Medians and 95th percentiles.
@@ -104,20 +109,32 @@ pub(crate) struct Ratio {
     pub(crate) pairs: usize,
 }
 
-/// Of pairs (step, triad) in bytes a second; `None` of none.
-pub(crate) fn ratio(pairs: &[[f64; 2]]) -> Option<Ratio> {
-    let sorted = |of: &dyn Fn(&[f64; 2]) -> f64| {
-        let mut values: Vec<f64> = pairs.iter().map(of).collect();
-        values.sort_by(f64::total_cmp);
-        values
-    };
-    let (ratios, steps) = (sorted(&|[step, triad]| step / triad), sorted(&|[step, _]| *step));
+/// The median of some ratios and its 95 % interval.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct Interval {
+    pub(crate) median: f64,
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    pub(crate) pairs: usize,
+}
+
+/// `None` of none.
+pub(crate) fn interval(mut ratios: Vec<f64>) -> Option<Interval> {
+    ratios.sort_by(f64::total_cmp);
     let n = ratios.len();
-    let middle = *ratios.get(n / 2)?;
+    let median = *ratios.get(n / 2)?;
     // Ranks of the median's interval.
     let half = (0.98 * (n as f64).sqrt()).round() as usize;
     let (low, high) = (ratios[(n / 2).saturating_sub(half)], ratios[(n / 2 + half).min(n - 1)]);
-    Some(Ratio { step_gb_per_s: steps[n / 2] / 1e9, median: middle, low, high, pairs: n })
+    Some(Interval { median, low, high, pairs: n })
+}
+
+/// Of pairs (step, triad) in bytes a second; `None` of none.
+pub(crate) fn ratio(pairs: &[[f64; 2]]) -> Option<Ratio> {
+    let Interval { median, low, high, pairs: n } = interval(pairs.iter().map(|[step, triad]| step / triad).collect())?;
+    let mut steps: Vec<f64> = pairs.iter().map(|[step, _]| *step).collect();
+    steps.sort_by(f64::total_cmp);
+    Some(Ratio { step_gb_per_s: steps[n / 2] / 1e9, median, low, high, pairs: n })
 }
 
 #[cfg(test)]

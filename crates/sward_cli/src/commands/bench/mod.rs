@@ -1,5 +1,6 @@
 //! `sward bench`: what a scene costs on this machine, stage by stage.
 
+mod device;
 mod measure;
 mod report;
 
@@ -7,6 +8,7 @@ use std::io::Write;
 use std::path::Path;
 
 use sward::world::World;
+use sward_wgpu::gpu::Gpu;
 
 use crate::arguments::{self, Machine, Where};
 use crate::artist::{self, Artist};
@@ -32,7 +34,10 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
     }
     let on = if arguments.on == Machine::Gpu { Where::Gpu } else { Where::Cpu };
     let mut world = opened.world()?;
-    let gpu = artist::adapter(arguments.draw, on, console)?;
+    if let Some(precision) = arguments.precision {
+        world.scene.budget.precision = precision.into();
+    }
+    let gpu = artist::adapter_by(Gpu::with_clock, arguments.draw, on, console)?;
     let mut artist = Artist::choose(arguments.draw, gpu.as_ref(), &world, arguments.size)?;
     let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
     let pairs = if on == Where::Cpu { 2 * PAIRS as u64 } else { 0 };
@@ -53,6 +58,10 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
         stages.time("picture", || artist.draw(&mut world, &mut backend, 0.0, arguments.size))?;
         progress.advance();
     }
+    let mut by_device = Stages::default();
+    let moved = device::time_steps(&mut world, &mut backend, arguments.steps, &mut by_device)?;
+    device::time_pictures(&mut world, &mut backend, &mut artist, (PICTURES, arguments.size), &mut by_device)?;
+    let half_to_full = device::half_to_full(&mut world, &mut backend)?;
     let mut triad = Triad::new();
     let mut measured = Vec::new();
     if on == Where::Cpu {
@@ -72,7 +81,10 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
         triad: triad.speed(),
         stages: stages.rows(),
         counters,
-        memory: Memory::of(&world),
+        memory: Memory::of(&world, &backend),
+        device_stages: by_device.rows(),
+        device_ns_per_cell: (moved[1] > 0.0).then(|| moved[1] / moved[0].max(1.0)),
+        half_to_full,
         ratio: ratio(&measured),
         ..Report::of_machine(gpu.as_ref())
     };

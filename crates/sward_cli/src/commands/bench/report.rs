@@ -8,7 +8,7 @@ use sward::state::PatchKey;
 use sward::world::World;
 use sward_wgpu::gpu::Gpu;
 
-use super::measure::{Ratio, Row};
+use super::measure::{Interval, Ratio, Row};
 use crate::backend::Backend;
 
 /// Everything measured.
@@ -31,6 +31,12 @@ pub(crate) struct Report {
     #[serde(rename = "triad_gb_per_s")]
     pub(crate) triad: f64,
     pub(crate) stages: Vec<Row>,
+    /// Passes by the device's own clock; none where it has no clock or was not used.
+    pub(crate) device_stages: Vec<Row>,
+    /// All passes of a step, per cell.
+    pub(crate) device_ns_per_cell: Option<f64>,
+    /// Time of a step at half precision over that at full, on the GPU.
+    pub(crate) half_to_full: Option<Interval>,
     pub(crate) counters: Counters,
     pub(crate) memory: Memory,
     /// The response's cells at 48 bytes against the triad; on the CPU only.
@@ -50,6 +56,10 @@ pub(crate) struct Counters {
     pub(crate) dispatches: u64,
     pub(crate) invocations: u64,
     pub(crate) bytes_uploaded: u64,
+    /// What the passes read and write at least, without upper segments.
+    pub(crate) bytes_moved: u64,
+    /// The same for upper segments.
+    pub(crate) upper_bytes_moved: u64,
 }
 
 /// Bytes of the state as it stands.
@@ -59,6 +69,8 @@ pub(crate) struct Memory {
     pub(crate) cells_awake: u64,
     /// β and ω at two times.
     pub(crate) state: u64,
+    /// What the GPU's buffers have room for, of that.
+    pub(crate) state_allocated: u64,
     /// Slopes and heights under them.
     pub(crate) ground: u64,
     /// Upper segments near cameras.
@@ -84,8 +96,10 @@ impl Counters {
             counters.cells_limited += state.counters.clamped;
         }
         if let Backend::Gpu(_, step) = backend {
-            (counters.dispatches, counters.invocations, counters.bytes_uploaded) =
-                (step.work.dispatches, step.work.invocations, step.work.uploaded);
+            let work = step.work;
+            (counters.dispatches, counters.invocations) = (work.dispatches, work.invocations);
+            (counters.bytes_uploaded, counters.bytes_moved) = (work.uploaded, work.traffic);
+            counters.upper_bytes_moved = work.upper_traffic;
         }
         counters
     }
@@ -100,6 +114,8 @@ impl Counters {
             dispatches: self.dispatches - before.dispatches,
             invocations: self.invocations - before.invocations,
             bytes_uploaded: self.bytes_uploaded - before.bytes_uploaded,
+            bytes_moved: self.bytes_moved - before.bytes_moved,
+            upper_bytes_moved: self.upper_bytes_moved - before.upper_bytes_moved,
         }
     }
 }
@@ -114,15 +130,17 @@ fn plants(world: &World, stand: &StandModel, patch: PatchKey) -> u64 {
 
 impl Memory {
     /// Of the awake patches.
-    pub(crate) fn of(world: &World) -> Self {
+    pub(crate) fn of(world: &World, backend: &Backend<'_>) -> Self {
         let mut memory = Self::default();
-        for (model, state) in world.model.stands.iter().zip(&world.state.stands) {
+        for (index, (model, state)) in world.model.stands.iter().zip(&world.state.stands).enumerate() {
+            let on_gpu = if let Backend::Gpu(_, step) = backend { step.cells(index) } else { None };
+            memory.state_allocated += on_gpu.map_or(0, |cells| cells.state_bytes());
             let area = u64::from(model.cells) * u64::from(model.cells);
             let patches = state.awake.len() as u64;
             let lagged = state.awake.values().filter(|awake| awake.lag != sward::state::NONE).count() as u64;
             memory.patches_awake += patches;
             memory.cells_awake += patches * area;
-            memory.state += patches * area * 32;
+            memory.state += patches * area * on_gpu.map_or(32, |cells| 2 * cells.cell_bytes());
             memory.ground += if model.is_level(&world.model.terrain) { 0 } else { patches * area * 12 };
             memory.upper_segments += lagged * area * 8 * u64::from(model.lag.segments.saturating_sub(1));
             memory.plants += state.awake.keys().map(|patch| plants(world, model, *patch)).sum::<u64>();
@@ -155,6 +173,14 @@ impl Report {
         for row in &self.stages {
             let _ = writeln!(text, "{:32} {:10.3} {:10.3} {:8}", row.stage, row.p50_ms, row.p95_ms, row.samples);
         }
+        if self.adapter.is_some() && self.device_stages.is_empty() {
+            let _ = writeln!(text, "\nThe graphics adapter was not used, or has no clock: nothing is known of its passes.");
+        } else if !self.device_stages.is_empty() {
+            let _ = writeln!(text, "\n{:32} {:>10} {:>10} {:>8}", "pass, by the device's clock", "p50 ms", "p95 ms", "samples");
+        }
+        for row in &self.device_stages {
+            let _ = writeln!(text, "{:32} {:10.3} {:10.3} {:8}", row.stage, row.p50_ms, row.p95_ms, row.samples);
+        }
         let (counters, memory) = (&self.counters, &self.memory);
         let _ = writeln!(text, "\n{} patches awake, {} cells, {} plants", memory.patches_awake, memory.cells_awake, memory.plants);
         let _ = writeln!(
@@ -172,11 +198,19 @@ impl Report {
         if counters.dispatches > 0 {
             let _ = writeln!(
                 text,
-                "{} dispatches, {} invocations, {:.1} MB uploaded",
+                "{} dispatches, {} invocations, {:.1} MB uploaded, {:.1} bytes moved a cell and step at least, {:.1} more by upper segments",
                 counters.dispatches,
                 counters.invocations,
-                counters.bytes_uploaded as f64 / 1e6
+                counters.bytes_uploaded as f64 / 1e6,
+                counters.bytes_moved as f64 / counters.cell_steps.max(1) as f64,
+                counters.upper_bytes_moved as f64 / counters.cell_steps.max(1) as f64
             );
+        }
+        if let Some(nanoseconds) = self.device_ns_per_cell {
+            let _ = writeln!(text, "passes of a step: {nanoseconds:.2} ns a cell");
+        }
+        if let Some(Interval { median, low, high, pairs }) = self.half_to_full {
+            let _ = writeln!(text, "a step at half precision takes {median:.2} of one at full ({low:.2} to {high:.2}, {pairs} pairs)");
         }
         if let Some(ratio) = self.ratio.filter(|ratio| ratio.step_gb_per_s > 0.0) {
             let _ = writeln!(
@@ -195,7 +229,7 @@ impl Report {
     /// For a spreadsheet.
     pub(crate) fn csv(&self) -> String {
         let mut text = String::from("scene,on,stage,p50_ms,p95_ms,samples\n");
-        for row in &self.stages {
+        for row in self.stages.iter().chain(&self.device_stages) {
             let (on, stage) = (self.on.replace('"', "'"), row.stage.replace('"', "'"));
             let _ = writeln!(text, "{},\"{on}\",\"{stage}\",{:.6},{:.6},{}", self.scene, row.p50_ms, row.p95_ms, row.samples);
         }
