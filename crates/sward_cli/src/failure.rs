@@ -100,9 +100,31 @@ impl From<SceneError> for Failure {
 impl From<GpuError> for Failure {
     fn from(error: GpuError) -> Self {
         let text = error.to_string();
-        match text.split_once(". ") {
-            Some((what, advice)) if matches!(error, GpuError::NoAdapter) => Self::failed(what).help(advice),
+        match (&error, text.split_once(". ")) {
+            (GpuError::NoAdapter, Some((what, advice))) => Self::failed(what).help(advice),
+            (GpuError::Lost { .. }, _) => {
+                Self::failed(text).help("run it again (a sequence with --resume goes on where it stopped), or without a graphics card: --on cpu --draw cpu")
+            }
+            (GpuError::OutOfMemory { .. }, _) => Self::failed(text).help(
+                "type a smaller --size, or lower budget.patches, budget.visible_plants or a stand's cells in the scene; or do without a graphics card: --on cpu --draw cpu",
+            ),
             _ => Self::failed(text),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lost_and_full_devices_fail_with_a_way_out() {
+        let lost = Failure::from(GpuError::Lost { reason: "unplugged".to_owned() });
+        let full = Failure::from(GpuError::OutOfMemory { what: "cells now".to_owned() });
+        for (failure, words) in [(lost, ["unplugged", "--resume"]), (full, ["cells now", "budget.patches"])] {
+            let help = failure.help.clone().unwrap_or_default();
+            assert_eq!(failure.status, 1);
+            assert!(failure.message.contains(words[0]) && help.contains(words[1]) && help.contains("--on cpu --draw cpu"), "{failure:?}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::error::check;
 use super::{MAX_SAMPLES, MAX_SIDE, Terrain, TerrainError};
-use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+use image::{ColorType, DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 use std::io::Cursor;
 
 /// What the sidecar says, in metres.
@@ -107,8 +107,8 @@ fn decode(png_bytes: &[u8], columns: u32, rows: u32) -> Result<Vec<u16>, Terrain
             return Err(TerrainError::Size { what, found: found.into(), expected: expected.into() });
         }
     }
-    match DynamicImage::from_decoder(decoder).map_err(unreadable)? {
-        DynamicImage::ImageLuma16(grey) => Ok(grey.into_raw()),
-        other => Err(TerrainError::Colour { found: format!("{:?}", other.color()) }),
+    if decoder.color_type() != ColorType::L16 {
+        return Err(TerrainError::Colour { found: format!("{:?}", decoder.color_type()) });
     }
+    Ok(DynamicImage::from_decoder(decoder).map_err(unreadable)?.into_luma16().into_raw())
 }

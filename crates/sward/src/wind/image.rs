@@ -18,16 +18,17 @@ impl Images {
     /// # Errors
     /// What is wrong with the picture, and what was expected.
     pub fn add_png(&mut self, bytes: &[u8]) -> Result<u32, String> {
-        let unreadable = |error: image::ImageError| format!("is not a readable PNG: {error}");
+        let unreadable = |error: image::ImageError| format!("is not a readable PNG: {error}; export it again as RGB");
         let mut reader = ImageReader::with_format(Cursor::new(bytes), ImageFormat::Png);
         let mut limits = Limits::default();
-        (limits.max_image_width, limits.max_image_height) = (Some(1 << 15), Some(1 << 15));
         limits.max_alloc = Some(64 << 20);
         reader.limits(limits);
         let decoder = reader.into_decoder().map_err(unreadable)?;
         let (width, height) = decoder.dimensions();
         if width != height || !(2..=MOST).contains(&width) {
-            return Err(format!("is {width} x {height} pixels, expected a square of 2 to {MOST} a side"));
+            return Err(format!(
+                "is {width} x {height} pixels, expected a square of 2 to {MOST} a side: export it smaller, like 256 x 256"
+            ));
         }
         let picture = image::DynamicImage::from_decoder(decoder).map_err(unreadable)?.into_rgb8();
         let texel = |pixel: &image::Rgb<u8>| {

@@ -79,8 +79,9 @@ impl GpuStep {
     /// One fixed step: plans on the CPU, moves the cells on the GPU.
     ///
     /// # Errors
-    /// What the device reports.
+    /// What the device reports. Once it is lost the world is left as it is; its cells are those of the last download.
     pub fn step(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
+        gpu.check()?;
         self.collect(gpu, world, LATENCY - 1)?;
         let plan = world.plan();
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -99,6 +100,7 @@ impl GpuStep {
     /// # Errors
     /// What the device reports.
     pub fn download(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
+        gpu.check()?;
         self.collect(gpu, world, 0)?;
         let World { model, state, .. } = world;
         for ((buffers, stand), state) in self.stands.iter().zip(&model.stands).zip(&mut state.stands) {

@@ -2,7 +2,6 @@
 
 use sward::plan::StandPlan;
 use sward::response::StandModel;
-use wgpu::util::DeviceExt;
 
 use super::Work;
 use super::buffers::CellBuffers;
@@ -83,11 +82,7 @@ impl Passes {
             label: Some("step"),
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
         });
-        let tile = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("wind tile"),
-            contents: bytemuck::cast_slice(wind_texels),
-            usage: wgpu::BufferUsages::STORAGE,
-        });
+        let tile = gpu.filled("wind tile", bytemuck::cast_slice(wind_texels), wgpu::BufferUsages::STORAGE);
         let pass = |entry, bindings| Pass::new(gpu, &module, entry, true, bindings);
         Self {
             rest: pass("rest_pass", &[0, 1, 2, 7, 8, 14]),
@@ -174,7 +169,7 @@ impl StepBuffers {
             work.uploaded += bytes.len() as u64;
             let padding = [0; 96];
             let contents = if bytes.is_empty() { &padding } else { bytes };
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+            gpu.filled(label, contents, usage)
         };
         let storage = wgpu::BufferUsages::STORAGE;
         let mut words: Vec<u8> = bytemuck::cast_slice(&plan.edges).to_vec();

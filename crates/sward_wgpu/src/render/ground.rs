@@ -3,7 +3,6 @@
 use sward::geometry::relief::Relief;
 use sward::geometry::rings;
 use sward::shading::look::Turf;
-use wgpu::util::DeviceExt;
 
 use super::{PipelineParts, Slot, layout, main_pipeline, shader};
 use crate::gpu::Gpu;
@@ -47,8 +46,7 @@ impl GroundPass {
                 depth_write: true,
             },
         );
-        let init =
-            |label, contents, usage| device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage });
+        let init = |label, contents, usage| gpu.filled(label, contents, usage);
         let heights: &[f32] = if relief.heights.is_empty() { &[0.0] } else { &relief.heights };
         let heights = init("heights", bytemuck::cast_slice(heights), wgpu::BufferUsages::STORAGE);
         let turf = init("turf", bytemuck::bytes_of(&turf), wgpu::BufferUsages::UNIFORM);

@@ -1,0 +1,53 @@
+//! Numbers to the device and back, without the calls of wgpu that panic where the device is lost or full.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::{Gpu, GpuError};
+
+impl Gpu {
+    /// A buffer that holds `contents`, filled up with zeros to 4 bytes.
+    ///
+    /// `create_buffer_init` of wgpu maps the new buffer, and panics where there is none.
+    pub(crate) fn filled(&self, label: &str, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        let size = contents.len().next_multiple_of(4).max(4);
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size: size as u64,
+            usage: usage | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let mut padded = Cow::Borrowed(contents);
+        if size > contents.len() {
+            padded.to_mut().resize(size, 0);
+        }
+        self.queue.write_buffer(&buffer, 0, &padded);
+        buffer
+    }
+
+    /// Maps the first `bytes` (1 or more, a multiple of 4) of a buffer when `submission`, or everything, is done, and lets `take` read them.
+    ///
+    /// # Errors
+    /// As [`Gpu::check`].
+    pub(crate) fn mapped<T>(
+        &self,
+        buffer: &wgpu::Buffer,
+        bytes: u64,
+        submission: Option<wgpu::SubmissionIndex>,
+        take: impl FnOnce(&[u8]) -> T,
+    ) -> Result<T, GpuError> {
+        let ready = Arc::new(AtomicBool::new(false));
+        let answer = Arc::clone(&ready);
+        let slice = buffer.slice(..bytes);
+        slice.map_async(wgpu::MapMode::Read, move |mapped| answer.store(mapped.is_ok(), Ordering::Release));
+        self.wait(submission)?;
+        // wgpu panics where a buffer is read that is not mapped.
+        if !ready.load(Ordering::Acquire) {
+            return Err(self.silent());
+        }
+        let taken = take(&slice.get_mapped_range());
+        buffer.unmap();
+        Ok(taken)
+    }
+}
