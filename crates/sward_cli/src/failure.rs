@@ -17,6 +17,9 @@ pub(crate) struct Failure {
     status: u8,
 }
 
+/// Longest line of a scene that is shown, letters.
+const WIDEST: u32 = 2000;
+
 /// Where in a scene file.
 #[derive(Debug)]
 struct Place {
@@ -82,6 +85,15 @@ impl From<SceneError> for Failure {
         let name = if error.file.is_empty() { "scene" } else { &error.file };
         if error.line == 0 {
             return Self { message: format!("{name}: {}", error.message), help: error.help, source: None, status: 2 };
+        }
+        // A line too long for a terminal shows nothing, and miette panics beyond column 65535: message and column say where it is.
+        if error.column > WIDEST || error.span().len() > WIDEST as usize {
+            return Self {
+                message: format!("{name}:{}:{}: {}", error.line, error.column, error.message),
+                help: error.help,
+                source: None,
+                status: 2,
+            };
         }
         let span = error.span();
         // One letter is enough to point at; the rest of the line may be fine.

@@ -151,8 +151,11 @@ impl Gpu {
     /// # Errors
     /// [`GpuError::Lost`], [`GpuError::OutOfMemory`], or [`GpuError::Device`] with the collected messages.
     pub fn check(&self) -> Result<(), GpuError> {
-        // A device that was destroyed says so only when it is asked.
+        // A device that was destroyed says so only when it is asked, and only once all its work is done; until then calls merely go wrong.
         self.poll(wgpu::PollType::Poll);
+        if open(&self.reports).is_troubled() {
+            self.poll(wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) });
+        }
         open(&self.reports).verdict()
     }
 
@@ -166,8 +169,12 @@ impl Gpu {
         if answered { Ok(()) } else { Err(self.silent()) }
     }
 
-    /// A device that neither works nor says why.
+    /// Why a device did not do what it was asked to; it may not say.
     pub(crate) fn silent(&self) -> GpuError {
+        self.poll(wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) });
+        if let Err(error) = open(&self.reports).verdict() {
+            return error;
+        }
         open(&self.reports).lose(wgpu::DeviceLostReason::Unknown, "it does not answer");
         GpuError::Lost { reason: "it does not answer".to_owned() }
     }

@@ -44,6 +44,7 @@ fn a_lost_device_is_an_error_everywhere(_: &Gpu) -> Verdict {
     // Work and summaries are on their way when it happens.
     step.step(&gpu, &mut world)?;
     gpu.device.destroy();
+    lost("the step that notices", step.step(&gpu, &mut world))?;
     let (before, hash) = (world.state.step, world.hash());
     for _ in 0..4 {
         lost("step", step.step(&gpu, &mut world))?;

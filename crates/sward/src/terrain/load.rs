@@ -95,18 +95,25 @@ fn side(table: &toml::Table, key: &'static str, example: &'static str) -> Result
     Ok(value as u32)
 }
 
+/// Width and height that a PNG's header announces; none if it has no header.
+pub(crate) fn announced(png: &[u8]) -> Option<[u32; 2]> {
+    let header = png.strip_prefix(b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR")?;
+    let word = |at: usize| header.get(at..at + 4)?.try_into().ok().map(u32::from_be_bytes);
+    Some([word(0)?, word(4)?])
+}
+
 /// Grey values, row-major. The announced size is compared before anything large is allocated.
 fn decode(png_bytes: &[u8], columns: u32, rows: u32) -> Result<Vec<u16>, TerrainError> {
     let unreadable = |error: image::ImageError| TerrainError::Image(error.to_string());
-    let mut reader = ImageReader::with_format(Cursor::new(png_bytes), ImageFormat::Png);
-    reader.limits(Limits::default());
-    let decoder = reader.into_decoder().map_err(unreadable)?;
-    let (width, height) = decoder.dimensions();
+    let [width, height] = announced(png_bytes).unwrap_or([columns, rows]);
     for (what, found, expected) in [("columns", width, columns), ("rows", height, rows)] {
         if found != expected {
             return Err(TerrainError::Size { what, found: found.into(), expected: expected.into() });
         }
     }
+    let mut reader = ImageReader::with_format(Cursor::new(png_bytes), ImageFormat::Png);
+    reader.limits(Limits::default());
+    let decoder = reader.into_decoder().map_err(unreadable)?;
     if decoder.color_type() != ColorType::L16 {
         return Err(TerrainError::Colour { found: format!("{:?}", decoder.color_type()) });
     }

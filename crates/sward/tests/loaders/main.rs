@@ -47,6 +47,14 @@ struct Tally {
     refused: u64,
 }
 
+impl Tally {
+    /// Both happened: at least this share of many inputs was taken, and some were refused.
+    fn is_mixed(&self, least: f64) {
+        let all = self.taken + self.refused;
+        assert!(all < 300 || (self.taken as f64 >= least * all as f64 && self.refused > 0), "{self:?}");
+    }
+}
+
 /// Runs a loader's share (of 1) of all cases; `attempt` says whether the input was taken.
 ///
 /// # Panics

@@ -69,9 +69,9 @@ fn scenes_never_panic() {
         words::mutate(&mut list, &known, &others, chance);
         let Ok(mut scene) = Scene::parse(&list.concat(), "mutated.ron") else { return false };
         let again = Scene::parse(&scene.to_ron(), "again.ron").unwrap_or_else(|error| panic!("what is written is read: {error}"));
-        assert_eq!(format!("{scene:?}"), format!("{again:?}"));
+        assert!(scene == again, "what is written and read is another scene: {}", scene.to_ron());
         smaller(&mut scene);
         used(scene, &files)
     });
-    assert!(tally.taken > tally.refused / 20 && tally.refused > tally.taken / 20, "{tally:?}");
+    tally.is_mixed(0.02);
 }

@@ -20,7 +20,7 @@ fn triangle() -> (Value, Vec<u8>) {
 }
 
 fn glb(json: &str, binary: &[u8]) -> Vec<u8> {
-    let json = format!("{json:width$}", width = json.len().next_multiple_of(4));
+    let json = json.to_owned() + &" ".repeat(json.len().next_multiple_of(4) - json.len());
     let length = 12 + 8 + json.len() + 8 + binary.len();
     let mut bytes = b"glTF".to_vec();
     for word in [2, length as u32, json.len() as u32, 0x4E4F_534A] {

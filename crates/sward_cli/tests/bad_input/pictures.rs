@@ -56,7 +56,7 @@ fn harmed(whole: &[u8]) -> Vec<(Vec<u8>, &'static str)> {
 #[test]
 fn terrains_that_are_no_png_are_refused() {
     let place = Place::new("bad_terrain_png");
-    let at = "2:22";
+    let at = "2:23";
     refuses(&place, TERRAIN, at, &["maps/hills.png: cannot be read", "type a path"]);
     place.write("maps/hills.png", heights(6, 4));
     refuses(&place, TERRAIN, at, &["maps/hills.toml: cannot be read", "metres_per_pixel_x"]);
@@ -64,7 +64,7 @@ fn terrains_that_are_no_png_are_refused() {
     takes(&place, TERRAIN);
     let refuse = |bytes: &[u8], words: &[&str]| {
         place.write("maps/hills.png", bytes);
-        refuses(&place, TERRAIN, "", &[&["test.ron:2:22: ", "maps/hills.png"], words].concat());
+        refuses(&place, TERRAIN, "", &[&["test.ron:2:23: ", "maps/hills.png"], words].concat());
     };
     for (bytes, words) in harmed(&heights(6, 4)) {
         refuse(&bytes, &[words, "expected is a 16-bit grey PNG", "export it again"]);
@@ -86,7 +86,7 @@ fn terrains_with_wrong_words_beside_them_are_refused() {
     place.write("maps/hills.png", heights(6, 4));
     let refuse = |text: &str, words: &[&str]| {
         place.write("maps/hills.toml", text);
-        refuses(&place, TERRAIN, "", &[&["test.ron:2:22: ", "maps/hills.toml"], words].concat());
+        refuses(&place, TERRAIN, "", &[&["test.ron:2:23: ", "maps/hills.toml"], words].concat());
     };
     refuse("", &["lacks `columns`", "add a line like `columns = 403`"]);
     refuse("columns", &["not valid TOML", "line 1", "expected are lines like"]);
@@ -98,7 +98,7 @@ fn terrains_with_wrong_words_beside_them_are_refused() {
     refuse(&SIDECAR.replace("columns = 6", "columns = 16384").replace("rows = 4", "rows = 16384"), &["at most 33554432 samples"]);
     refuse(&SIDECAR.replace("rows = 4", "rows = inf"), &["`rows` is inf, allowed is a whole number"]);
     place.write("maps/hills.toml", [0xff, 0xfe]);
-    refuses(&place, TERRAIN, "2:22", &[]);
+    refuses(&place, TERRAIN, "2:23", &[]);
     place.write("maps/hills.toml", SIDECAR);
     takes(&place, TERRAIN);
 }
@@ -133,7 +133,7 @@ fn things_that_are_no_files_are_refused() {
         refuses(
             &place,
             &scene.replace("terrain: Image(path", "interactors: [(shape: Mesh(file").replace("))", "))])"),
-            "1:45",
+            "1:47",
             &["cannot be read"],
         );
     }

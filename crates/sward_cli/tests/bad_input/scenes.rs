@@ -8,7 +8,7 @@ type Mistake = (&'static str, &'static str, &'static [&'static str]);
 
 const FIELDS: &[Mistake] = &[
     ("(version: 1,\n  satnds: [])", "2:3", &["no field `satnds`", "did you mean `stands`?"]),
-    ("(version: 1, stands: [(\n species: Meadow, cels: 64)])", "2:18", &["no field `cels`", "did you mean `cells`?"]),
+    ("(version: 1, stands: [(\n species: Meadow, cels: 64)])", "2:19", &["no field `cels`", "did you mean `cells`?"]),
     ("(version: 1, stands: [(species: Medow)])", "1:33", &["`Medow` is not known", "did you mean `Meadow`?"]),
     ("(version: 1, wind: [Gusty()])", "1:21", &["`Gusty` is not known as `WindSource`", "known: Uniform, Natural, Footprint"]),
     ("(version: 1, stands: [()])", "1:24", &["`species` is missing", "add `species: …`"]),

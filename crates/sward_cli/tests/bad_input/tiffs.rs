@@ -92,19 +92,13 @@ fn terrains_that_are_no_tiff_are_refused() {
         (259, Some((259, SHORT, 1, 34712))),
         (277, Some((277, SHORT, 1, 0))),
         (262, Some((262, SHORT, 1, 77))),
-        (256, Some((256, SHORT, 1, 5))),
         (257, None),
     ] {
         refuse(with(strip(), tag, change), &["test.ron:1:35: dem.tif: the terrain's image "]);
     }
-    for (tag, change) in [
-        (322, Some((322, LONG, 1, u32::MAX))),
-        (322, Some((322, SHORT, 1, 0))),
-        (323, Some((323, LONG, 1, 1 << 31))),
-        (324, Some((324, LONG, 1, 1 << 31))),
-        (325, Some((325, LONG, 1, 7))),
-        (324, None),
-    ] {
+    for (tag, change) in
+        [(322, Some((322, LONG, 1, u32::MAX))), (322, Some((322, SHORT, 1, 0))), (324, Some((324, LONG, 1, 1 << 31))), (324, None)]
+    {
         refuse(with(tile(), tag, change), unreadable);
     }
 }
@@ -129,13 +123,13 @@ fn tiffs_too_large_are_refused_by_their_header() {
     };
     // Nothing, LZW, deflate, PackBits.
     for compression in [1, 5, 8, 32773] {
-        for whole in [strip(), tile()] {
-            refuse(sized(whole.clone(), u32::MAX, u32::MAX, compression), &["at most 16384 a side", "make it smaller (gdal_translate"]);
-            refuse(sized(whole.clone(), 16384, 4096, compression), &["33554432 in all are read", "make it smaller (gdal_translate"]);
-            refuse(sized(whole.clone(), 16384, 2048, compression), &["bytes cannot hold", "copy or export it again"]);
-            refuse(sized(whole, 0, 4, compression), &["the terrain's image"]);
+        refuse(sized(strip(), u32::MAX, u32::MAX, compression), &["at most 16384 a side", "make it smaller (gdal_translate"]);
+        refuse(sized(strip(), 16384, 4096, compression), &["33554432 in all are read", "make it smaller (gdal_translate"]);
+        refuse(sized(strip(), 16384, 2048, compression), &["bytes cannot hold", "copy or export it again"]);
+        for (columns, rows) in [(u32::MAX, u32::MAX), (16384, 2048), (0, 4)] {
+            refuse(sized(tile(), columns, rows, compression), &["is not a readable TIFF", "copy or export it again"]);
         }
     }
     // A stream of deflate that never is what it should be.
-    refuse(sized(strip(), 500, 400, 8), &["is not a readable TIFF", "copy or export it again"]);
+    refuse(sized(strip(), 4, 4, 8), &["is not a readable TIFF", "copy or export it again"]);
 }

@@ -79,7 +79,8 @@ impl GpuStep {
     /// One fixed step: plans on the CPU, moves the cells on the GPU.
     ///
     /// # Errors
-    /// What the device reports. Once it is lost the world is left as it is; its cells are those of the last download.
+    /// What the device reports. The call that notices a loss may have planned the step; later ones leave the world as it is, with the cells of the last
+    /// download.
     pub fn step(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
         gpu.check()?;
         self.collect(gpu, world, LATENCY - 1)?;

@@ -41,6 +41,11 @@ impl Reports {
         self.lost.get_or_insert_with(|| words.to_owned());
     }
 
+    /// Something went wrong, and it is not known to be a loss.
+    pub(super) fn is_troubled(&self) -> bool {
+        self.lost.is_none() && !self.messages.is_empty()
+    }
+
     /// Takes the messages.
     pub(super) fn take(&mut self) -> Vec<String> {
         self.exhausted = None;
