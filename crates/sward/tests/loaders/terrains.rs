@@ -92,8 +92,7 @@ fn terrain_tiffs_never_panic() {
         bytes::mutate(&mut file, &files, chance);
         // The directory lies at the end: there most is decided.
         if chance.one_in(2) {
-            let tail = file.split_off(file.len().saturating_sub(150));
-            let mut tail = tail;
+            let mut tail = file.split_off(file.len().saturating_sub(150));
             bytes::mutate(&mut tail, &files, chance);
             file.extend(tail);
         }
