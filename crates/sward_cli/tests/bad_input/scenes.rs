@@ -17,11 +17,11 @@ const FIELDS: &[Mistake] = &[
 
 const NUMBERS: &[Mistake] = &[
     ("(version: 1, light: (\n fog: NaN))", "2:7", &["`fog` is NaN 1/m", "allowed 0 to 1"]),
-    ("(version: 1, wind: [Uniform(velocity: (inf, 0))])", "1:39", &["`velocity` is inf m/s", "allowed -60 to 60"]),
+    ("(version: 1, wind: [Uniform(velocity: (inf, 0))])", "1:46", &["`velocity` is inf m/s", "allowed -60 to 60"]),
     ("(version: 1, field: (patch_side: 1e9))", "1:34", &["`patch_side`", "allowed 8 to 64"]),
     ("(version: 1, stands: [(species: Lawn, cells: 4096)])", "1:46", &["`cells` is 4096", "allowed"]),
     ("(version: 1, budget: (patches: 4000000000))", "1:32", &["`patches` is 4000000000", "allowed"]),
-    ("(version: 1, seed: -1)", "1:20", &["integer is out of bounds", "negative"]),
+    ("(version: 1, seed: -1)", "1:21", &["integer is out of bounds", "negative"]),
     ("(version: 1, seed: 99999999999)", "1:20", &["integer is out of bounds", "too large"]),
 ];
 
