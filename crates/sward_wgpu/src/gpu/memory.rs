@@ -1,10 +1,13 @@
 //! Numbers to the device and back, without the calls of wgpu that panic where the device is lost or full.
 
 use std::borrow::Cow;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
+use std::time::Duration;
 
 use super::{Gpu, GpuError};
+
+/// Longest time from the end of the work until everybody is told.
+const GRACE: Duration = Duration::from_secs(60);
 
 impl Gpu {
     /// A buffer that holds `contents`, filled up with zeros to 4 bytes.
@@ -37,13 +40,13 @@ impl Gpu {
         submission: Option<wgpu::SubmissionIndex>,
         take: impl FnOnce(&[u8]) -> T,
     ) -> Result<T, GpuError> {
-        let ready = Arc::new(AtomicBool::new(false));
-        let answer = Arc::clone(&ready);
+        let (tell, answer) = mpsc::channel();
         let slice = buffer.slice(..bytes);
-        slice.map_async(wgpu::MapMode::Read, move |mapped| answer.store(mapped.is_ok(), Ordering::Release));
+        // Nobody listens any more where the wait has failed.
+        slice.map_async(wgpu::MapMode::Read, move |mapped| _ = tell.send(mapped.is_ok()));
         self.wait(submission)?;
-        // wgpu panics where a buffer is read that is not mapped.
-        if !ready.load(Ordering::Acquire) {
+        // Another thread that waits may hold the answer, about to give it. wgpu panics where a buffer is read that is not mapped.
+        if answer.recv_timeout(GRACE) != Ok(true) {
             return Err(self.silent());
         }
         let taken = take(&slice.get_mapped_range());
