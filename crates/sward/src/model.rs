@@ -8,15 +8,17 @@ use std::sync::Arc;
 
 use limits::Named;
 
-use crate::figure::Figure;
+use crate::figure::{Figure, FigureError};
 use crate::growth::{Growth, Limit};
 use crate::interaction::{FigureBody, Piece, pieces_of};
 use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
-use crate::scene::{Area, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, WindSource};
+use crate::scene::{
+    Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
+};
 use crate::state::BodyState;
-use crate::terrain::{Detail, Terrain, is_tiff};
+use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::{Flow, Images, Source, Tile};
 
 /// Where a scene's files (terrain, bodies) come from.
@@ -28,6 +30,13 @@ pub trait Assets {
 /// Largest file a scene may name, bytes.
 const LARGEST_FILE: u64 = 512 << 20;
 
+/// The bytes of a file that the value at `trail` names.
+fn read(path: &str, trail: &Trail, assets: &dyn Assets) -> Result<Vec<u8>, SceneError> {
+    let help = "type a path from the scene's folder, or from the folder above it, to a file of at most 512 MB";
+    let refuse = |why| SceneError::in_file(path, format!("cannot be read: {why}")).named_by(trail.clone()).advise(help);
+    assets.read(path).map_err(refuse)
+}
+
 /// Files below a folder.
 #[derive(Clone, Debug)]
 pub struct Folder(pub std::path::PathBuf);
@@ -35,9 +44,12 @@ pub struct Folder(pub std::path::PathBuf);
 impl Assets for Folder {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         let full = self.0.join(Path::new(path));
-        let size = std::fs::metadata(&full).map_err(|error| format!("{}: {error}", full.display()))?.len();
-        if size > LARGEST_FILE {
-            return Err(format!("{}: {} MB, at most {} MB are read", full.display(), size >> 20, LARGEST_FILE >> 20));
+        let about = std::fs::metadata(&full).map_err(|error| format!("{}: {error}", full.display()))?;
+        if !about.is_file() {
+            return Err(format!("{} is not a file", full.display()));
+        }
+        if about.len() > LARGEST_FILE {
+            return Err(format!("{}: {} MB, at most {} MB are read", full.display(), about.len() >> 20, LARGEST_FILE >> 20));
         }
         std::fs::read(&full).map_err(|error| format!("{}: {error}", full.display()))
     }
@@ -125,15 +137,15 @@ pub struct Blower {
 /// The scene's footprints and the pictures they name.
 fn blowers(scene: &Scene, assets: &dyn Assets) -> Result<(Vec<Blower>, Images), SceneError> {
     let (mut list, mut images) = (Vec::new(), Images::default());
-    for source in &scene.wind {
+    for (index, source) in scene.wind.iter().enumerate() {
         let WindSource::Footprint(source) = source else { continue };
         let flow = match &source.flow {
             crate::scene::Flow::Outward => Flow::Outward,
             crate::scene::Flow::Swirl => Flow::Swirl,
             crate::scene::Flow::Image(image) => {
-                let bad = |message: String| SceneError::in_file(&image.path, message);
-                let bytes = assets.read(&image.path).map_err(|why| bad(format!("cannot be read: {why}")))?;
-                Flow::Image(images.add_png(&bytes).map_err(bad)?)
+                let trail = Trail::default().key("wind").index(index).key("flow").key("path");
+                let bytes = read(&image.path, &trail, assets)?;
+                Flow::Image(images.add_png(&bytes).map_err(|why| SceneError::in_file(&image.path, why).named_by(trail))?)
             }
         };
         let follow = source.follow.as_ref().and_then(|name| scene.interactors.iter().position(|body| &body.name == name));
@@ -150,27 +162,40 @@ fn half_of(shape: &Shape, pieces: &[Piece]) -> [f64; 2] {
     [reach(0), reach(1)]
 }
 
+/// Why a file cannot be this body, with the value of the scene that is at fault.
+fn bad_body(mesh: &MeshShape, shape: &Trail, error: &FigureError) -> SceneError {
+    let (field, help) = match error {
+        FigureError::Clip { .. } => ("clip", None),
+        FigureError::Size { .. } => ("scale", None),
+        FigureError::Data { .. } | FigureError::Json(_) => ("file", Some("export it again; a glTF validator says more")),
+        _ => ("file", None),
+    };
+    let bad = SceneError::in_file(&mesh.file, error.to_string()).named_by(shape.clone().key(field));
+    help.map_or(bad.clone(), |help| bad.advise(help))
+}
+
 /// The bodies of a scene; each file is read and split once.
 fn body_models(scene: &Scene, assets: &dyn Assets) -> Result<Vec<BodyModel>, SceneError> {
     let mut figures: BTreeMap<(&str, u32), Arc<Figure>> = BTreeMap::new();
     let mut bodies = Vec::new();
-    for interactor in &scene.interactors {
+    for (index, interactor) in scene.interactors.iter().enumerate() {
         let figure = match &interactor.shape {
             Shape::Mesh(mesh) => {
-                let bad = |message: String| SceneError::in_file(&mesh.file, message);
+                let shape = Trail::default().key("interactors").index(index).key("shape");
+                let bad = |error: FigureError| bad_body(mesh, &shape, &error);
                 let figure = match figures.get(&(mesh.file.as_str(), mesh.pieces)) {
                     Some(known) => Arc::clone(known),
                     None => {
-                        let bytes = assets.read(&mesh.file).map_err(|why| bad(format!("cannot be read: {why}")))?;
+                        let bytes = read(&mesh.file, &shape.clone().key("file"), assets)?;
                         let beside = |name: &str| {
                             let folder = Path::new(&mesh.file).parent().unwrap_or(Path::new(""));
                             assets.read(&folder.join(name).to_string_lossy())
                         };
-                        Arc::new(Figure::read(&bytes, &beside, mesh.pieces).map_err(|error| bad(error.to_string()))?)
+                        Arc::new(Figure::read(&bytes, &beside, mesh.pieces).map_err(bad)?)
                     }
                 };
                 figures.insert((&mesh.file, mesh.pieces), Arc::clone(&figure));
-                Some(FigureBody::new(figure, mesh).map_err(|error| bad(error.to_string()))?)
+                Some(FigureBody::new(figure, mesh).map_err(bad)?)
             }
             _ => None,
         };
@@ -237,17 +262,23 @@ fn load_terrain(terrain: &SceneTerrain, assets: &dyn Assets) -> Result<Terrain, 
         SceneTerrain::Flat(flat) => return Ok(Terrain::flat(flat.height)),
         SceneTerrain::Image(image) => image,
     };
-    let bad = |message: String| SceneError::in_file(&image.path, message);
-    let pixels = assets.read(&image.path).map_err(|why| bad(format!("cannot be read: {why}")))?;
+    let trail = Trail::default().key("terrain").key("path");
+    let pixels = read(&image.path, &trail, assets)?;
     let sidecar = Path::new(&image.path).with_extension("toml");
     let sidecar = sidecar.to_string_lossy();
+    let bad = |error: TerrainError| {
+        let file = if error.is_of_sidecar() { &sidecar } else { image.path.as_str() };
+        SceneError::in_file(file, error.to_string()).named_by(trail.clone())
+    };
     if is_tiff(&pixels) {
         let text = assets.read(&sidecar).ok().and_then(|bytes| String::from_utf8(bytes).ok());
-        return Terrain::from_tiff(&pixels, text.as_deref(), image.scale, image.offset).map_err(|error| bad(error.to_string()));
+        return Terrain::from_tiff(&pixels, text.as_deref(), image.scale, image.offset).map_err(bad);
     }
-    let text = assets.read(&sidecar).map_err(|why| bad(format!("its scale is in a file beside it, which cannot be read: {why}")))?;
-    let text = String::from_utf8(text).map_err(|_| bad(format!("{sidecar} is not text")))?;
-    Terrain::from_image(&pixels, &text, image.scale, image.offset).map_err(|error| bad(error.to_string()))
+    let help =
+        "beside a PNG lies a text file with the lines columns, rows, metres_per_pixel_x, metres_per_pixel_y, min_height_m and max_height_m";
+    let text = read(&sidecar, &trail, assets).map_err(|error| error.advise(help))?;
+    let text = String::from_utf8(text).map_err(|_| bad(TerrainError::Sidecar("it is not text".to_owned())))?;
+    Terrain::from_image(&pixels, &text, image.scale, image.offset).map_err(bad)
 }
 
 /// The bumps on the ground, anchored to what they lie on.
@@ -316,7 +347,8 @@ impl Model {
             [low, [low[0] + count[0] as i32, low[1] + count[1] as i32]]
         });
         let mut terrain = load_terrain(&scene.terrain, assets)?.with_detail(detail_of(scene));
-        terrain.reserve_edits(&scene.edits).map_err(|error| SceneError::in_file("", error.to_string()))?;
+        let scattered = |error: TerrainError| SceneError::in_file("", error.to_string()).named_by(Trail::default().key("edits"));
+        terrain.reserve_edits(&scene.edits).map_err(scattered)?;
         let limits = limits::of(scene, assets)?;
         let stands = stand_models(scene, &sources, &limits)?;
         let (blowers, images) = blowers(scene, assets)?;

@@ -13,6 +13,8 @@ use crate::world::World;
 /// What [`World::save`] writes and [`World::restore`] reads.
 pub const VERSION: u32 = 2;
 const MAGIC: &[u8; 10] = b"SWARDSTATE";
+/// Far beyond any bend \[rad\] or velocity \[rad/s\] that the limits leave, and small enough that a step stays finite.
+const FARTHEST: f32 = 1e4;
 const HEADER: usize = MAGIC.len() + 4 + 8;
 
 /// Why a saved state cannot be continued.
@@ -236,12 +238,12 @@ fn fill(slots: &mut Vec<Box<[f32]>>, slot: u32, length: usize, values: &mut impl
     while slots.len() <= slot {
         slots.push(vec![0.0; length].into_boxed_slice());
     }
-    let mut finite = true;
+    let mut sound = true;
     for (place, value) in slots[slot].iter_mut().zip(values) {
-        finite &= value.is_finite();
+        sound &= (-FARTHEST..=FARTHEST).contains(&value);
         *place = value;
     }
-    if finite { Ok(()) } else { Err(SavedError::Damaged("a cell is not a number")) }
+    if sound { Ok(()) } else { Err(SavedError::Damaged("a cell is out of bounds")) }
 }
 
 fn state_is_sound(state: &State) -> bool {

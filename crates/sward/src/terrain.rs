@@ -20,6 +20,7 @@ pub use edits::{EDIT_SPACING, EditFrame, Edits, MAX_EDIT_SAMPLES, Patch};
 pub use error::TerrainError;
 use error::check;
 pub use geotiff::is_tiff;
+pub(crate) use load::announced;
 use surface::{mirrored, period, surface_f32, surface_f64};
 
 /// The text of the WGSL twin. It needs `math.wgsl` and a function `terrain_load(index: i32) -> f32` from its host.

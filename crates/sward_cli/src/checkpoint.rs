@@ -16,10 +16,14 @@ use crate::scenes::Opened;
 
 const SETTINGS: &str = "frames.json";
 const STATE: &str = "frames.state";
+/// Format version of the settings.
+const VERSION: u32 = 1;
 
 /// What all frames of a folder have in common.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Settings {
+    /// Format version of the file: 1.
+    version: u32,
     /// Name of the scene.
     scene: String,
     /// A hash of what its author wrote.
@@ -35,7 +39,29 @@ impl Settings {
         let words = format!("{:?}", opened.scene);
         let hash = words.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
         let [width, height] = size;
-        Self { scene: opened.name.clone(), fingerprint: format!("{hash:016x}"), width, height, frames_per_second: fps }
+        Self { version: VERSION, scene: opened.name.clone(), fingerprint: format!("{hash:016x}"), width, height, frames_per_second: fps }
+    }
+
+    /// Those of an earlier run; `None` where there was none.
+    fn read(path: &Path) -> Result<Option<Self>, Failure> {
+        let help = format!("without --resume the sequence begins anew; or remove {}", path.display());
+        let refuse = |why: String| Failure::input(format!("{} does not say what frames lie beside it: {why}", path.display()), help);
+        let text = match std::fs::read_to_string(path) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(refuse(error.to_string())),
+            Ok(text) => text,
+        };
+        // The version first: other fields may be others in another one.
+        let parsed = serde_json::from_str(&text).and_then(|value: serde_json::Value| {
+            let version = value.get("version").and_then(serde_json::Value::as_u64);
+            if version == Some(VERSION.into()) { Self::deserialize(value).map(Ok) } else { Ok(Err(version)) }
+        });
+        match parsed {
+            Ok(Ok(settings)) => Ok(Some(settings)),
+            Ok(Err(Some(version))) => Err(refuse(format!("it has format version {version}, expected {VERSION}"))),
+            Ok(Err(None)) => Err(refuse(format!("it has no format version, expected \"version\": {VERSION}"))),
+            Err(error) => Err(refuse(error.to_string())),
+        }
     }
 
     /// What differs from those of another sequence, in words.
@@ -71,14 +97,10 @@ impl Checkpoint {
     /// # Errors
     /// With `resume`: the folder holds frames of another sequence.
     pub(crate) fn open(folder: &Path, settings: Settings, every: f64, resume: bool) -> Result<Self, Failure> {
-        if resume && let Ok(text) = std::fs::read_to_string(folder.join(SETTINGS)) {
-            let shown = folder.display();
-            let found: Settings = serde_json::from_str(&text).map_err(|error| {
-                let help = format!("without --resume the sequence begins anew; or remove {}", folder.join(SETTINGS).display());
-                Failure::input(format!("{} does not say what frames lie beside it: {error}", folder.join(SETTINGS).display()), help)
-            })?;
+        if resume && let Some(found) = Settings::read(&folder.join(SETTINGS))? {
             if let Some(difference) = settings.difference(&found) {
                 let help = "type what was typed then, or another folder: -o DIR/";
+                let shown = folder.display();
                 return Err(Failure::input(format!("the frames in {shown} are of another sequence: {difference}"), help));
             }
         }
@@ -110,11 +132,20 @@ impl Checkpoint {
     /// The saved state cannot be used.
     pub(crate) fn restore(&self, world: &mut World, before: u64) -> Result<(), Failure> {
         let path = self.folder.join(STATE);
-        let Some(bytes) = self.resume.then(|| std::fs::read(&path).ok()).flatten() else { return Ok(()) };
+        if !self.resume {
+            return Ok(());
+        }
+        let help = format!("remove {}: the steps are then run again", path.display());
+        let refuse = |why: String| Failure::input(format!("{}: {why}", path.display()), help);
+        let bytes = match std::fs::read(&path) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
+            Err(error) => return Err(refuse(error.to_string())),
+            Ok(bytes) => bytes,
+        };
         let mut later = world.clone();
-        later.restore(&bytes).map_err(|error| {
-            Failure::input(format!("{}: {error}", path.display()), format!("remove {}: the steps are then run again", path.display()))
-        })?;
+        if let Err(error) = later.restore(&bytes) {
+            return Err(refuse(error.to_string()));
+        }
         if later.state.step <= before {
             *world = later;
         }

@@ -17,6 +17,9 @@ pub(crate) struct Failure {
     status: u8,
 }
 
+/// Longest line of a scene that is shown, letters.
+const WIDEST: u32 = 2000;
+
 /// Where in a scene file.
 #[derive(Debug)]
 struct Place {
@@ -83,6 +86,15 @@ impl From<SceneError> for Failure {
         if error.line == 0 {
             return Self { message: format!("{name}: {}", error.message), help: error.help, source: None, status: 2 };
         }
+        // A line too long for a terminal shows nothing, and miette panics beyond column 65535: message and column say where it is.
+        if error.column > WIDEST || error.span().len() > WIDEST as usize {
+            return Self {
+                message: format!("{name}:{}:{}: {}", error.line, error.column, error.message),
+                help: error.help,
+                source: None,
+                status: 2,
+            };
+        }
         let span = error.span();
         // One letter is enough to point at; the rest of the line may be fine.
         let letter = error.text[span.clone()].chars().next().map_or(0, char::len_utf8);
@@ -100,9 +112,31 @@ impl From<SceneError> for Failure {
 impl From<GpuError> for Failure {
     fn from(error: GpuError) -> Self {
         let text = error.to_string();
-        match text.split_once(". ") {
-            Some((what, advice)) if matches!(error, GpuError::NoAdapter) => Self::failed(what).help(advice),
+        match (&error, text.split_once(". ")) {
+            (GpuError::NoAdapter, Some((what, advice))) => Self::failed(what).help(advice),
+            (GpuError::Lost { .. }, _) => {
+                Self::failed(text).help("run it again (a sequence with --resume goes on where it stopped), or without a graphics card: --on cpu --draw cpu")
+            }
+            (GpuError::OutOfMemory { .. }, _) => Self::failed(text).help(
+                "type a smaller --size, or lower budget.patches, budget.visible_plants or a stand's cells in the scene; or do without a graphics card: --on cpu --draw cpu",
+            ),
             _ => Self::failed(text),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lost_and_full_devices_fail_with_a_way_out() {
+        let lost = Failure::from(GpuError::Lost { reason: "unplugged".to_owned() });
+        let full = Failure::from(GpuError::OutOfMemory { what: "cells now".to_owned() });
+        for (failure, words) in [(lost, ["unplugged", "--resume"]), (full, ["cells now", "budget.patches"])] {
+            let help = failure.help.clone().unwrap_or_default();
+            assert_eq!(failure.status, 1);
+            assert!(failure.message.contains(words[0]) && help.contains(words[1]) && help.contains("--on cpu --draw cpu"), "{failure:?}");
         }
     }
 }

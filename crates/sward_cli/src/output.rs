@@ -1,4 +1,4 @@
-//! Files and folders to write: checked before the work, written whole or not at all.
+//! Files and folders to write: checked before the work by writing and removing something, written whole or not at all.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -22,6 +22,7 @@ pub(crate) fn picture(wanted: Option<&Path>, name: &str) -> Result<PathBuf, Fail
         ));
     }
     has_parent(&path)?;
+    probe(&partial(&path)).map_err(|error| unwritable(&path, &error, "type -o FILE.png in a folder you may write to"))?;
     Ok(path)
 }
 
@@ -39,7 +40,13 @@ pub(crate) fn clip(wanted: Option<&Path>, name: &str) -> Result<PathBuf, Failure
         return Err(Failure::input(format!("clips are MP4 files, and {shown} is not named like one"), help));
     }
     has_parent(&path)?;
+    probe(&partial(&path)).map_err(|error| unwritable(&path, &error, "type -o FILE.mp4 in a folder you may write to"))?;
     Ok(path)
+}
+
+/// Writes and removes a file.
+fn probe(path: &Path) -> std::io::Result<()> {
+    File::create(path).and_then(|_| std::fs::remove_file(path))
 }
 
 /// Whether a file is named like one of a kind.
@@ -50,8 +57,9 @@ pub(crate) fn ends_in(path: &Path, ending: &str) -> bool {
 /// A folder to write several files to. It may be missing, the folder around it may not.
 pub(crate) fn folder(path: &Path, for_pictures: bool) -> Result<(), Failure> {
     let shown = path.display();
+    let help = "type a folder you may write to: -o DIR/";
     if path.is_dir() {
-        return Ok(());
+        return probe(&partial(&path.join("probe"))).map_err(|error| unwritable(path, &error, help));
     }
     let like_a_file = ends_in(path, "png");
     if path.exists() || (for_pictures && like_a_file && !ends_in_separator(path)) {
@@ -59,7 +67,19 @@ pub(crate) fn folder(path: &Path, for_pictures: bool) -> Result<(), Failure> {
         let help = format!("type a folder: -o {}{}", named.display(), if named == path { "_files/" } else { "/" });
         return Err(Failure::input(format!("{shown} is a file, but several files are to be written"), help));
     }
-    has_parent(path)
+    has_parent(path)?;
+    let tried = std::fs::create_dir(path).and_then(|()| std::fs::remove_dir(path));
+    tried.map_err(|error| unwritable(path, &error, help))
+}
+
+fn unwritable(path: &Path, error: &std::io::Error, help: &str) -> Failure {
+    Failure::input(format!("cannot write to {}: {error}", path.display()), help)
+}
+
+/// The name under which a file is written before it is whole.
+fn partial(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!(".{name}.{}.part", std::process::id()))
 }
 
 fn has_parent(path: &Path) -> Result<(), Failure> {
@@ -128,8 +148,7 @@ pub(crate) fn remove_frames(folder: &Path) -> Result<(), Failure> {
 
 /// Writes a file under another name first: whoever looks sees the old file or the whole new one.
 pub(crate) fn write_whole(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>) -> Result<(), Failure> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let partial = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
+    let partial = partial(path);
     let written = File::create(&partial).and_then(|file| {
         let mut writer = BufWriter::new(file);
         write(&mut writer)?;
@@ -143,7 +162,7 @@ pub(crate) fn write_whole(path: &Path, write: impl FnOnce(&mut BufWriter<File>) 
     })
 }
 
-/// The disk did not play along.
+/// What was checked before the work has changed since: the disk is full, or the folder is gone.
 pub(crate) fn cannot_write(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::failed(format!("cannot write {}: {error}", path.display()))
+    Failure::failed(format!("cannot write {}: {error}", path.display())).help("make room there, or type another place: -o …")
 }

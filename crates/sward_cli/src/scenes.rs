@@ -78,13 +78,16 @@ pub(crate) struct Opened {
     pub(crate) scene: Scene,
     /// A good moment for a picture, s.
     pub(crate) time: f64,
+    /// What the author typed, and the file's name.
+    source: [String; 2],
     assets: Box<dyn Assets>,
 }
 
 impl Opened {
     /// The world at time 0.
     pub(crate) fn world(&self) -> Result<World, Failure> {
-        Ok(World::new(self.scene.clone(), &*self.assets)?)
+        let [text, file] = &self.source;
+        Ok(World::new(self.scene.clone(), &*self.assets).map_err(|error| error.located(text, file))?)
     }
 }
 
@@ -96,8 +99,10 @@ pub(crate) fn shipped(name: &str) -> Option<&'static Shipped> {
 /// Opens a scene by its shipped name or its path.
 pub(crate) fn open(scene: &str) -> Result<Opened, Failure> {
     if let Some(shipped) = shipped(scene) {
-        let parsed = Scene::parse(shipped.text, &format!("{scene}.ron"))?;
-        return Ok(Opened { name: scene.to_owned(), scene: parsed, time: shipped.time, assets: Box::new(Embedded) });
+        let file = format!("{scene}.ron");
+        let parsed = Scene::parse(shipped.text, &file)?;
+        let source = [shipped.text.to_owned(), file];
+        return Ok(Opened { name: scene.to_owned(), scene: parsed, time: shipped.time, source, assets: Box::new(Embedded) });
     }
     let path = Path::new(scene);
     let looks_like_path = scene.contains(['/', '\\']) || path.extension().is_some();
@@ -108,7 +113,8 @@ pub(crate) fn open(scene: &str) -> Result<Opened, Failure> {
     let parsed = Scene::parse(&text, scene)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let name = path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    Ok(Opened { name, scene: parsed, time: USUAL_TIME, assets: Box::new(Near(folder.to_owned())) })
+    let source = [text, scene.to_owned()];
+    Ok(Opened { name, scene: parsed, time: USUAL_TIME, source, assets: Box::new(Near(folder.to_owned())) })
 }
 
 fn text_of(path: &Path) -> Result<String, Failure> {

@@ -1,8 +1,23 @@
 //! The device everything runs on, and the errors it reports.
 //!
 //! Only WebGPU's default limits are asked for, so whatever runs here also runs in a browser.
+//!
+//! A device may be lost at any moment (a driver restarts, a card is unplugged), and its memory may run out. Both are errors of the call
+//! that notices: [`GpuError::Lost`], after which every call with that device fails so, and [`GpuError::OutOfMemory`]. Cells on a lost
+//! device are gone. To go on, keep what [`sward::world::World::save`] writes after a download; once restored, the world steps on the CPU, or on a
+//! new [`Gpu`] with new `GpuStep` and `Studio`.
 
-use std::sync::{Arc, Mutex, PoisonError};
+mod memory;
+mod reports;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use reports::Reports;
+
+/// A device that takes longer for what it was given is taken for lost.
+const PATIENCE: Duration = Duration::from_secs(1800);
 
 /// A device, its queue, and what went wrong on it.
 pub struct Gpu {
@@ -12,7 +27,7 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     /// Name, kind and driver of the adapter.
     pub adapter_info: wgpu::AdapterInfo,
-    errors: Arc<Mutex<Vec<String>>>,
+    reports: Arc<Mutex<Reports>>,
 }
 
 /// Why there is no usable device.
@@ -54,6 +69,19 @@ pub enum GpuError {
         cells: u32,
         /// Patches that fit.
         most: u32,
+    },
+    /// The device is gone, and with it what it held. Open another one, or go on on the CPU from the last state that was saved.
+    #[error("the graphics device was lost: {reason}")]
+    Lost {
+        /// What is known about it.
+        reason: String,
+    },
+    /// The device has no room left. Fewer awake patches (`budget.patches`), fewer cells of a stand, fewer `budget.visible_plants` or a smaller
+    /// picture need less.
+    #[error("the graphics device is out of memory: {what}")]
+    OutOfMemory {
+        /// What did not fit, in the driver's words.
+        what: String,
     },
     /// The device reported errors while working.
     #[error("the graphics device reported: {0}")]
@@ -122,31 +150,64 @@ impl Gpu {
 
     /// Takes over a device somebody else made, for hosts that own one already.
     pub fn watch(device: wgpu::Device, queue: wgpu::Queue, adapter_info: wgpu::AdapterInfo) -> Self {
-        let errors = Arc::new(Mutex::new(Vec::new()));
-        let sink = Arc::clone(&errors);
-        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            let mut list = sink.lock().unwrap_or_else(PoisonError::into_inner);
-            // One broken pipeline repeats its message every frame; the first few tell the story.
-            if list.len() < 16 {
-                list.push(error.to_string());
-            }
-        }));
-        Self { device, queue, adapter_info, errors }
+        let reports = Arc::new(Mutex::new(Reports::default()));
+        let (errors, losses) = (Arc::clone(&reports), Arc::clone(&reports));
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| open(&errors).add(&error)));
+        device.set_device_lost_callback(move |reason, message| open(&losses).lose(reason, &message));
+        Self { device, queue, adapter_info, reports }
     }
 
     /// Takes the messages collected since the last call; empty when all went well.
     pub fn take_errors(&self) -> Vec<String> {
-        std::mem::take(&mut *self.errors.lock().unwrap_or_else(PoisonError::into_inner))
+        open(&self.reports).take()
     }
 
-    /// Fails when the device has reported anything since the last look.
+    /// Fails when the device has reported anything since the last look, or is lost.
     ///
     /// # Errors
-    /// [`GpuError::Device`] with the collected messages.
+    /// [`GpuError::Lost`], [`GpuError::OutOfMemory`], or [`GpuError::Device`] with the collected messages.
     pub fn check(&self) -> Result<(), GpuError> {
-        let errors = self.take_errors();
-        if errors.is_empty() { Ok(()) } else { Err(GpuError::Device(errors.join("\n"))) }
+        // A device that was destroyed says so only when it is asked, and only once all its work is done; until then calls merely go wrong.
+        self.poll(wgpu::PollType::Poll);
+        if open(&self.reports).is_troubled() {
+            self.poll(wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) });
+        }
+        open(&self.reports).verdict()
     }
+
+    /// Waits until `submission` is done, or everything is.
+    ///
+    /// # Errors
+    /// As [`Gpu::check`].
+    pub(crate) fn wait(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<(), GpuError> {
+        let answered = self.poll(wgpu::PollType::Wait { submission_index: submission, timeout: Some(PATIENCE) });
+        self.check()?;
+        if answered { Ok(()) } else { Err(self.silent()) }
+    }
+
+    /// Why a device did not do what it was asked to; it may not say.
+    pub(crate) fn silent(&self) -> GpuError {
+        self.poll(wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) });
+        if let Err(error) = open(&self.reports).verdict() {
+            return error;
+        }
+        open(&self.reports).lose(wgpu::DeviceLostReason::Unknown, "it does not answer");
+        GpuError::Lost { reason: "it does not answer".to_owned() }
+    }
+
+    /// Lets the device work; false if it did not do what was asked.
+    fn poll(&self, what: wgpu::PollType) -> bool {
+        // wgpu 29 panics here, and only here, when the driver notices the loss while it is waited for.
+        let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(what).is_ok()));
+        polled.unwrap_or_else(|_| {
+            open(&self.reports).lose(wgpu::DeviceLostReason::Unknown, "its driver gave up while it was waited for");
+            false
+        })
+    }
+}
+
+fn open(reports: &Mutex<Reports>) -> MutexGuard<'_, Reports> {
+    reports.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// `SWARD_VALIDATION=1` switches the driver's validation layer on. Without debug information: older layers refuse WGSL as a source

@@ -175,13 +175,9 @@ impl Renderer {
             },
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
-        gpu.queue.submit([encoder.finish()]);
-        let slice = buffer.slice(..);
-        slice.map_async(wgpu::MapMode::Read, |_| {});
-        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| GpuError::Device(error.to_string()))?;
-        gpu.check()?;
-        let bytes = slice.get_mapped_range();
-        let rgba8 = bytes.chunks_exact(row as usize).flat_map(|line| &line[..4 * width as usize]).copied().collect();
+        let submission = gpu.queue.submit([encoder.finish()]);
+        let lines = |bytes: &[u8]| bytes.chunks_exact(row as usize).flat_map(|line| &line[..4 * width as usize]).copied().collect();
+        let rgba8 = gpu.mapped(&buffer, buffer.size(), Some(submission), lines)?;
         Ok(Picture { width, height, rgba8 })
     }
 }

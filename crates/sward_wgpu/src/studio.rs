@@ -69,6 +69,7 @@ impl Studio {
     /// # Errors
     /// What the device reports.
     pub fn draw_before(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64, size: [u32; 2]) -> Result<Picture, GpuError> {
+        gpu.check()?;
         if matches!(cells, CellsAt::Cpu) {
             for ((buffers, state), stand) in self.uploaded.iter_mut().zip(&world.state.stands).zip(&world.model.stands) {
                 buffers.reserve(gpu, state, stand.is_level(&world.model.terrain))?;

@@ -86,16 +86,11 @@ impl Opened<'_> {
 
     fn layout(&self, accessor: &Accessor, place: &str, widths: &[usize], most: u64) -> Result<Layout<'_>, FigureError> {
         let wrong = |what: String| data(place, what);
-        if accessor.sparse.is_some() {
-            return Err(wrong("is sparse, which is not read; export it without sparse accessors".to_owned()));
-        }
         let component = Component::of(accessor.component_type)
             .ok_or_else(|| wrong(format!("has component type {}, known are 5120 to 5126", accessor.component_type)))?;
         let width = width(&accessor.shape).filter(|width| widths.contains(width));
         let width = width.ok_or_else(|| wrong(format!("is of type `{}`, which does not fit its use", accessor.shape)))?;
-        if accessor.count > most {
-            return Err(wrong(format!("has {} elements, at most {most} are read", accessor.count)));
-        }
+        within(accessor.count, most, place)?;
         let view = accessor.buffer_view.ok_or_else(|| wrong("has no bufferView, so no data".to_owned()))?;
         let (bytes, stride) = self.view(view, place)?;
         let element = (width * component.size()) as u64;
@@ -121,41 +116,87 @@ impl Opened<'_> {
         most: u64,
         user: &str,
     ) -> Result<Vec<[f32; N]>, FigureError> {
-        let accessor = at(&self.root.accessors, index, "accessors", user)?;
-        let place = format!("accessors[{index}]");
-        let layout = self.layout(accessor, &place, widths, most)?;
-        let (width, size) = (width(&accessor.shape).unwrap_or(N).min(N), layout.component.size());
-        let mut elements = Vec::with_capacity(layout.count);
-        for element in 0..layout.count {
-            let mut vector = [fill; N];
-            for (k, value) in vector.iter_mut().enumerate().take(width) {
-                *value = layout.component.read(&layout.bytes[element * layout.stride + k * size..], layout.normalized);
-                if !value.is_finite() {
-                    return Err(data(format!("{place} ({user})"), format!("has {value} in element {element}; a finite number is needed")));
+        let read = |layout: &Layout<'_>, width: usize, place: &str| {
+            let mut elements = Vec::with_capacity(layout.count);
+            for element in 0..layout.count {
+                let mut vector = [fill; N];
+                for (k, value) in vector.iter_mut().enumerate().take(width) {
+                    *value = layout.component.read(layout.at(element, k), layout.normalized);
+                    if !value.is_finite() {
+                        return Err(data(
+                            format!("{place} ({user})"),
+                            format!("has {value} in element {element}; a finite number is needed"),
+                        ));
+                    }
                 }
+                elements.push(vector);
             }
-            elements.push(vector);
-        }
-        Ok(elements)
+            Ok(elements)
+        };
+        self.elements(index, widths, most, user, [0.0; N], read)
     }
 
     /// Whole numbers: indices of vertices or joints.
     pub(super) fn integers<const N: usize>(&self, index: usize, most: u64, user: &str) -> Result<Vec<[u32; N]>, FigureError> {
+        self.elements(index, &[N], most, user, [0; N], |layout, _, place| layout.integers(place))
+    }
+
+    /// The elements of an accessor as `read` makes them; those of a sparse one are `zero`, or what its view holds, where none is given.
+    fn elements<T: Copy>(
+        &self,
+        index: usize,
+        widths: &[usize],
+        most: u64,
+        user: &str,
+        zero: T,
+        read: impl Fn(&Layout<'_>, usize, &str) -> Result<Vec<T>, FigureError>,
+    ) -> Result<Vec<T>, FigureError> {
         let accessor = at(&self.root.accessors, index, "accessors", user)?;
         let place = format!("accessors[{index}]");
-        let layout = self.layout(accessor, &place, &[N], most)?;
-        let read = |bytes: &[u8]| match layout.component {
+        let width = width(&accessor.shape).unwrap_or(0);
+        let replaced = accessor.replaced();
+        let mut elements = if accessor.buffer_view.is_none() && replaced.is_some() {
+            within(accessor.count, most, &place)?;
+            vec![zero; accessor.count as usize]
+        } else {
+            read(&self.layout(accessor, &place, widths, most)?, width, &place)?
+        };
+        if let Some([indices, values]) = replaced {
+            let (which, what) = (format!("{place}.sparse.indices"), format!("{place}.sparse.values"));
+            let indices = self.layout(&indices, &which, &[1], most)?.integers::<1>(&which)?;
+            let values = read(&self.layout(&values, &what, widths, most)?, width, &what)?;
+            for ([index], value) in indices.into_iter().zip(values) {
+                let count = elements.len();
+                let wrong = || data(&which, format!("has an index {index}, but the accessor has {count} elements"));
+                *elements.get_mut(index as usize).ok_or_else(wrong)? = value;
+            }
+        }
+        Ok(elements)
+    }
+}
+
+fn within(count: u64, most: u64, place: &str) -> Result<(), FigureError> {
+    if count <= most { Ok(()) } else { Err(data(place, format!("has {count} elements, at most {most} are read"))) }
+}
+
+impl<'a> Layout<'a> {
+    /// The bytes from component `k` of an element on.
+    fn at(&self, element: usize, k: usize) -> &'a [u8] {
+        &self.bytes[element * self.stride + k * self.component.size()..]
+    }
+
+    fn integers<const N: usize>(&self, place: &str) -> Result<Vec<[u32; N]>, FigureError> {
+        let read = |bytes: &[u8]| match self.component {
             Component::U8 => Some(u32::from(bytes[0])),
             Component::U16 => Some(u32::from(u16::from_le_bytes([bytes[0], bytes[1]]))),
             Component::U32 => Some(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])),
             _ => None,
         };
-        let mut elements = Vec::with_capacity(layout.count);
-        for element in 0..layout.count {
+        let mut elements = Vec::with_capacity(self.count);
+        for element in 0..self.count {
             let mut vector = [0; N];
             for (k, value) in vector.iter_mut().enumerate() {
-                let bytes = &layout.bytes[element * layout.stride + k * layout.component.size()..];
-                *value = read(bytes).ok_or_else(|| data(&place, "holds signed or real numbers where indices are needed"))?;
+                *value = read(self.at(element, k)).ok_or_else(|| data(place, "holds signed or real numbers where indices are needed"))?;
             }
             elements.push(vector);
         }

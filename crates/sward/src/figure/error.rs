@@ -13,7 +13,7 @@ pub enum FigureError {
     #[error("its JSON is not glTF 2.0: {0}")]
     Json(String),
     /// The file needs something that is not read here.
-    #[error("it needs the glTF extension `{0}`, which sward does not read; export it without (no compression)")]
+    #[error("it needs the glTF extension `{}`, which sward does not read; {}", .0, way_out(.0))]
     Extension(String),
     /// Numbers that point nowhere, or data that does not fit.
     #[error("{place} {what}")]
@@ -54,6 +54,20 @@ pub enum FigureError {
         /// A factor that would do.
         scale: String,
     },
+}
+
+/// What to do about an extension that a file requires.
+fn way_out(extension: &str) -> &'static str {
+    match extension {
+        "KHR_draco_mesh_compression" => {
+            "export it without compression (Blender: leave Compression off), or type: gltf-transform copy in.glb out.glb"
+        }
+        "EXT_meshopt_compression" | "KHR_meshopt_compression" => {
+            "export it without compression (gltfpack: leave out -c), or type: gltf-transform copy in.glb out.glb"
+        }
+        "KHR_texture_basisu" | "EXT_texture_webp" | "EXT_texture_avif" => "export it with PNG or JPEG textures",
+        _ => "export it without",
+    }
 }
 
 pub(super) fn data(place: impl Into<String>, what: impl Into<String>) -> FigureError {

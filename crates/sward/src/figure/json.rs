@@ -128,7 +128,42 @@ pub(super) struct Accessor {
     #[serde(rename = "type")]
     pub(super) shape: String,
     pub(super) normalized: bool,
-    pub(super) sparse: Option<serde::de::IgnoredAny>,
+    pub(super) sparse: Option<Sparse>,
+}
+
+/// Elements that replace others of an accessor.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Sparse {
+    pub(super) count: u64,
+    pub(super) indices: SparsePart,
+    pub(super) values: SparsePart,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct SparsePart {
+    pub(super) buffer_view: usize,
+    pub(super) byte_offset: u64,
+    pub(super) component_type: u32,
+}
+
+impl Accessor {
+    /// Which elements are replaced, and by what, as accessors of their own.
+    pub(super) fn replaced(&self) -> Option<[Self; 2]> {
+        let sparse = self.sparse.as_ref()?;
+        let part = |part: &SparsePart, component_type: u32, shape: &str| Self {
+            buffer_view: Some(part.buffer_view),
+            byte_offset: part.byte_offset,
+            component_type,
+            count: sparse.count,
+            shape: shape.to_owned(),
+            normalized: self.normalized,
+            sparse: None,
+        };
+        let indices = part(&sparse.indices, sparse.indices.component_type, "SCALAR");
+        Some([indices, part(&sparse.values, self.component_type, &self.shape)])
+    }
 }
 
 #[derive(Debug, Default, Deserialize)]

@@ -3,6 +3,7 @@
 //! A texture is sampled once a corner, at its nearest texel: exact for palettes and flat colours, coarse for painted detail on large triangles.
 
 use image::{ImageFormat, ImageReader, Limits};
+use std::borrow::Cow;
 use std::io::Cursor;
 
 use super::container::{Opened, resolve};
@@ -11,6 +12,8 @@ use super::json::{Primitive, Root, at};
 
 /// Largest texture, pixels a side.
 const LARGEST: u32 = 8192;
+/// Most pixels of all textures of a file.
+const MOST_TEXELS: u64 = 1 << 27;
 /// Surface of a body without a material: lacquer.
 const PAINT: [f32; 2] = [0.28, 0.05];
 
@@ -58,20 +61,34 @@ fn decode(bytes: &[u8]) -> Option<Picture> {
     (size[0] > 0 && size[1] > 0).then(|| Picture { size, texels: picture.pixels().map(|pixel| pixel.0).collect() })
 }
 
+/// Pixels that a picture's header announces; 0 for what is no picture.
+fn announced(bytes: &[u8]) -> u64 {
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().ok();
+    let size = reader.and_then(|reader| reader.into_dimensions().ok());
+    size.map_or(0, |(width, height)| u64::from(width) * u64::from(height))
+}
+
 /// All pictures that base colours use, by image.
 pub(super) fn pictures(opened: &Opened<'_>) -> Result<Vec<Option<Picture>>, FigureError> {
     let root = &opened.root;
     let mut pictures: Vec<Option<Picture>> = (0..root.images.len()).map(|_| None).collect();
+    let (mut texels, mut seen) = (0, vec![false; root.images.len()]);
     for index in 0..root.materials.len() {
         let Some(image) = image_of(root, index)? else { continue };
-        if pictures[image].is_none() {
+        if !std::mem::replace(&mut seen[image], true) {
             let place = format!("images[{image}]");
             let source = &root.images[image];
-            pictures[image] = match (&source.uri, source.buffer_view) {
-                (_, Some(view)) => decode(opened.view(view, &place)?.0),
-                (Some(uri), None) => decode(&resolve(uri, opened.neighbour, &place)?),
-                (None, None) => None,
+            let bytes = match (&source.uri, source.buffer_view) {
+                (_, Some(view)) => Cow::Borrowed(opened.view(view, &place)?.0),
+                (Some(uri), None) => Cow::Owned(resolve(uri, opened.neighbour, &place)?),
+                (None, None) => continue,
             };
+            texels += announced(&bytes);
+            if texels > MOST_TEXELS {
+                let instead = "export smaller textures, like 1024 x 1024";
+                return Err(FigureError::TooMany { what: "pixels in its textures", found: texels, most: MOST_TEXELS, instead });
+            }
+            pictures[image] = decode(&bytes);
         }
     }
     Ok(pictures)

@@ -5,7 +5,7 @@
 //! pose; from then on parts and picture follow the frames. Everything a step reads is f64 and our own functions: the same bits everywhere.
 //! Read by hand from the JSON, not through the crates `gltf` and `parry3d`: their readers and hulls may panic on damaged or degenerate
 //! files, and the latter's V-HACD needs library mathematics.
-//! Not read: morph targets, sparse accessors, compressed meshes, a second set of joints.
+//! Not read: morph targets (a mesh keeps its own shape), compressed meshes, a second set of joints.
 
 mod accessor;
 mod clip;

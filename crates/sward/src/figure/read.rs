@@ -124,6 +124,12 @@ impl Gathered<'_> {
         let Some(position) = primitive.attributes.position else { return Ok(()) };
         let opened = self.opened;
         let positions = opened.vectors::<3>(position, &[3], 0.0, MOST_VERTICES, &format!("{place}.POSITION"))?;
+        // Primitives may share one accessor: a small file would fill all memory.
+        let vertices = (self.vertices.len() + positions.len()) as u64;
+        if vertices > MOST_VERTICES {
+            let instead = "simplify it before exporting (Blender: Decimate)";
+            return Err(FigureError::TooMany { what: "vertices", found: vertices, most: MOST_VERTICES, instead });
+        }
         if positions.iter().flatten().any(|part| !(-FARTHEST..=FARTHEST).contains(part)) {
             return Err(data(format!("{place}.POSITION"), "has vertices beyond ±1e7 units"));
         }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Assets;
 use crate::growth::{Limit, MaskImage, Outline};
-use crate::scene::{Scene, SceneError, SpeciesModel};
+use crate::scene::{Scene, SceneError, SpeciesModel, Trail};
 
 /// How far height follows cover in the margin of an exclusion.
 const MARGIN_HEIGHT: f32 = 0.6;
@@ -40,9 +40,10 @@ pub(super) fn of(scene: &Scene, assets: &dyn Assets) -> Result<Vec<Named>, Scene
         };
         limits.push((Arc::new(limit), exclusion.stands.clone()));
     }
-    for mask in &scene.masks {
-        let bad = |message: String| SceneError::in_file(&mask.path, message);
-        let bytes = assets.read(&mask.path).map_err(|why| bad(format!("cannot be read: {why}")))?;
+    for (index, mask) in scene.masks.iter().enumerate() {
+        let trail = Trail::default().key("masks").index(index).key("path");
+        let bytes = super::read(&mask.path, &trail, assets)?;
+        let bad = |message: String| SceneError::in_file(&mask.path, message).named_by(trail.clone());
         let image = Arc::new(MaskImage::from_png(&bytes).map_err(bad)?);
         let limit = Limit {
             outline: Outline::of_mask(mask, image),

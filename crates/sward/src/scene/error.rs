@@ -25,12 +25,36 @@ pub struct SceneError {
     pub help: Option<String>,
     /// The whole text of the file.
     pub text: String,
+    /// The way to the value that names the file at fault, where that is not the scene itself.
+    named_by: Trail,
 }
 
 impl SceneError {
     /// A file that the scene names, not the scene itself, is at fault.
     pub(crate) fn in_file(file: &str, message: String) -> Self {
-        Self { file: file.to_owned(), line: 0, column: 0, message, help: None, text: String::new() }
+        Self { file: file.to_owned(), line: 0, column: 0, message, help: None, text: String::new(), named_by: Trail::default() }
+    }
+
+    /// Says which value of the scene names the file at fault.
+    pub(crate) fn named_by(self, trail: Trail) -> Self {
+        Self { named_by: trail, ..self }
+    }
+
+    /// Adds what to do about it.
+    pub(crate) fn advise(self, help: &str) -> Self {
+        Self { help: Some(help.to_owned()), ..self }
+    }
+
+    /// An error of a file that a scene names, with its place in that scene: where `text`, the scene called `scene`, names the file. Errors
+    /// that have a place already, or concern no other file, stay as they are.
+    #[must_use]
+    pub fn located(self, text: &str, scene: &str) -> Self {
+        if self.line > 0 || self.named_by.0.is_empty() {
+            return self;
+        }
+        let (line, column) = locate::line_and_column(text, locate::locate(text, &self.named_by));
+        let message = if self.file.is_empty() { self.message } else { format!("{}: {}", self.file, self.message) };
+        Self { file: scene.to_owned(), line, column, message, text: text.to_owned(), ..self }
     }
 
     /// Where the trouble starts in `text`, up to the end of that line, in bytes. Empty if the place is not known.
@@ -60,13 +84,21 @@ impl SceneError {
     pub(super) fn from_reader(error: &ron::error::SpannedError, text: &str, file: &str) -> Self {
         let (message, help) = explain::explain(&error.code);
         let (line, column) = locate::line_and_column(text, reader_offset(error, text));
-        Self { file: file.to_owned(), line, column, message, help, text: text.to_owned() }
+        Self { file: file.to_owned(), line, column, message, help, text: text.to_owned(), named_by: Trail::default() }
     }
 
     /// A problem found after reading, with its place looked up in the text.
     pub(super) fn from_problem(problem: Problem, text: &str, file: &str) -> Self {
         let (line, column) = locate::line_and_column(text, locate::locate(text, &problem.trail));
-        Self { file: file.to_owned(), line, column, message: problem.message, help: problem.help, text: text.to_owned() }
+        Self {
+            file: file.to_owned(),
+            line,
+            column,
+            message: problem.message,
+            help: problem.help,
+            text: text.to_owned(),
+            named_by: Trail::default(),
+        }
     }
 }
 
@@ -92,6 +124,7 @@ impl From<Problem> for SceneError {
             message: format!("{path}{colon}{}", problem.message),
             help: problem.help,
             text: String::new(),
+            named_by: Trail::default(),
         }
     }
 }
@@ -128,12 +161,12 @@ pub(super) enum Step {
 pub struct Trail(pub(super) Vec<Step>);
 
 impl Trail {
-    pub(super) fn key(mut self, name: &'static str) -> Self {
+    pub(crate) fn key(mut self, name: &'static str) -> Self {
         self.0.push(Step::Key(name));
         self
     }
 
-    pub(super) fn index(mut self, index: usize) -> Self {
+    pub(crate) fn index(mut self, index: usize) -> Self {
         self.0.push(Step::Index(index));
         self
     }

@@ -7,7 +7,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum TerrainError {
     /// The sidecar is not TOML.
-    #[error("the terrain's sidecar is not valid TOML: {0}")]
+    #[error("the terrain's sidecar is not valid TOML: {0}; expected are lines like `metres_per_pixel_x = 30`")]
     Sidecar(String),
     /// The sidecar lacks a key.
     #[error("the terrain's sidecar lacks `{key}`; add a line like `{example}`")]
@@ -28,10 +28,14 @@ pub enum TerrainError {
         allowed: &'static str,
     },
     /// The image is not a readable PNG.
-    #[error("the terrain's image is not a readable PNG: {0}")]
+    #[error(
+        "the terrain's image is not a readable PNG: {0}; expected is a 16-bit grey PNG, or a TIFF: export it again (gdal_translate -ot UInt16 -of PNG)"
+    )]
     Image(String),
     /// The image is of another kind.
-    #[error("the terrain's image is {found}, needed is 16-bit grey without alpha (L16)")]
+    #[error(
+        "the terrain's image is {found}, needed is 16-bit grey without alpha (L16): export it again (gdal_translate -b 1 -ot UInt16 -of PNG)"
+    )]
     Colour {
         /// What was found, such as `Rgb8`.
         found: String,
@@ -40,7 +44,7 @@ pub enum TerrainError {
     #[error("the terrain's image {0}")]
     Tiff(String),
     /// Image and sidecar, or heights and size, disagree.
-    #[error("the terrain has {found} {what}, but {expected} are announced")]
+    #[error("the terrain has {found} {what}, but {expected} are announced; correct what announces them, or export it again")]
     Size {
         /// `columns`, `rows` or `heights`.
         what: &'static str,
@@ -49,6 +53,18 @@ pub enum TerrainError {
         /// How many there should be.
         expected: u64,
     },
+}
+
+impl TerrainError {
+    /// Whether the text file beside the picture is at fault.
+    pub(crate) fn is_of_sidecar(&self) -> bool {
+        const KEYS: [&str; 6] = ["columns", "rows", "metres_per_pixel_x", "metres_per_pixel_y", "min_height_m", "max_height_m"];
+        match self {
+            Self::Sidecar(_) | Self::MissingKey { .. } => true,
+            Self::Value { key, .. } => KEYS.contains(key),
+            _ => false,
+        }
+    }
 }
 
 pub(super) fn check(key: &'static str, found: impl std::fmt::Display, allowed: &'static str, good: bool) -> Result<(), TerrainError> {

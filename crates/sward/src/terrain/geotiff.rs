@@ -30,7 +30,7 @@ fn bad(what: impl Into<String>) -> TerrainError {
 }
 
 fn unreadable(error: tiff::TiffError) -> TerrainError {
-    bad(format!("is not a readable TIFF: {error}"))
+    bad(format!("is not a readable TIFF: {error}; copy or export it again (gdal_translate -of GTiff)"))
 }
 
 /// What the tags say about places and heights.

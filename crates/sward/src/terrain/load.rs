@@ -2,7 +2,7 @@
 
 use super::error::check;
 use super::{MAX_SAMPLES, MAX_SIDE, Terrain, TerrainError};
-use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+use image::{ColorType, DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 use std::io::Cursor;
 
 /// What the sidecar says, in metres.
@@ -95,20 +95,27 @@ fn side(table: &toml::Table, key: &'static str, example: &'static str) -> Result
     Ok(value as u32)
 }
 
+/// Width and height that a PNG's header announces; none if it has no header.
+pub(crate) fn announced(png: &[u8]) -> Option<[u32; 2]> {
+    let header = png.strip_prefix(b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR")?;
+    let word = |at: usize| header.get(at..at + 4)?.try_into().ok().map(u32::from_be_bytes);
+    Some([word(0)?, word(4)?])
+}
+
 /// Grey values, row-major. The announced size is compared before anything large is allocated.
 fn decode(png_bytes: &[u8], columns: u32, rows: u32) -> Result<Vec<u16>, TerrainError> {
     let unreadable = |error: image::ImageError| TerrainError::Image(error.to_string());
-    let mut reader = ImageReader::with_format(Cursor::new(png_bytes), ImageFormat::Png);
-    reader.limits(Limits::default());
-    let decoder = reader.into_decoder().map_err(unreadable)?;
-    let (width, height) = decoder.dimensions();
+    let [width, height] = announced(png_bytes).unwrap_or([columns, rows]);
     for (what, found, expected) in [("columns", width, columns), ("rows", height, rows)] {
         if found != expected {
             return Err(TerrainError::Size { what, found: found.into(), expected: expected.into() });
         }
     }
-    match DynamicImage::from_decoder(decoder).map_err(unreadable)? {
-        DynamicImage::ImageLuma16(grey) => Ok(grey.into_raw()),
-        other => Err(TerrainError::Colour { found: format!("{:?}", other.color()) }),
+    let mut reader = ImageReader::with_format(Cursor::new(png_bytes), ImageFormat::Png);
+    reader.limits(Limits::default());
+    let decoder = reader.into_decoder().map_err(unreadable)?;
+    if decoder.color_type() != ColorType::L16 {
+        return Err(TerrainError::Colour { found: format!("{:?}", decoder.color_type()) });
     }
+    Ok(DynamicImage::from_decoder(decoder).map_err(unreadable)?.into_luma16().into_raw())
 }

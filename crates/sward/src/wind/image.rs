@@ -5,6 +5,7 @@ use std::io::Cursor;
 use image::{ImageDecoder, ImageFormat, ImageReader, Limits};
 
 use super::footprint::Images;
+use crate::terrain::announced;
 
 /// Most pixels along a side.
 const MOST: u32 = 512;
@@ -18,17 +19,20 @@ impl Images {
     /// # Errors
     /// What is wrong with the picture, and what was expected.
     pub fn add_png(&mut self, bytes: &[u8]) -> Result<u32, String> {
-        let unreadable = |error: image::ImageError| format!("is not a readable PNG: {error}");
+        let unreadable = |error: image::ImageError| format!("is not a readable PNG: {error}; export it again as RGB");
+        let fits = |[width, height]: [u32; 2]| {
+            let fits = width == height && (2..=MOST).contains(&width);
+            let wanted = format!("expected a square of 2 to {MOST} a side: export it smaller, like 256 x 256");
+            if fits { Ok(()) } else { Err(format!("is {width} x {height} pixels, {wanted}")) }
+        };
+        announced(bytes).map_or(Ok(()), fits)?;
         let mut reader = ImageReader::with_format(Cursor::new(bytes), ImageFormat::Png);
         let mut limits = Limits::default();
-        (limits.max_image_width, limits.max_image_height) = (Some(1 << 15), Some(1 << 15));
         limits.max_alloc = Some(64 << 20);
         reader.limits(limits);
         let decoder = reader.into_decoder().map_err(unreadable)?;
         let (width, height) = decoder.dimensions();
-        if width != height || !(2..=MOST).contains(&width) {
-            return Err(format!("is {width} x {height} pixels, expected a square of 2 to {MOST} a side"));
-        }
+        fits([width, height])?;
         let picture = image::DynamicImage::from_decoder(decoder).map_err(unreadable)?.into_rgb8();
         let texel = |pixel: &image::Rgb<u8>| {
             let [x, z] = [pixel.0[0], pixel.0[1]].map(|value| f32::from(value) / 127.5 - 1.0);

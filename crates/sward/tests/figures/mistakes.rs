@@ -15,6 +15,8 @@ pub(crate) const TESTS: &[Test] = &[
     ("broken_files_are_explained", broken_files_are_explained),
     ("broken_containers_are_explained", broken_containers_are_explained),
     ("scenes_name_the_file_and_the_way_out", scenes_name_the_file_and_the_way_out),
+    ("sparse_accessors_replace_elements", sparse_accessors_replace_elements),
+    ("small_files_cannot_ask_for_all_memory", small_files_cannot_ask_for_all_memory),
     ("mutated_files_never_panic", mutated_files_never_panic),
     ("mutated_words_never_panic", mutated_words_never_panic),
 ];
@@ -30,7 +32,10 @@ type Mistake = (fn(&mut Value), &'static str);
 const MISTAKES: &[Mistake] = &[
     (|json| json["asset"]["version"] = json!("1.0"), "`asset.version` is 1.0"),
     (|json| json["asset"] = json!({}), "no version"),
-    (|json| json["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]), "`KHR_draco_mesh_compression`"),
+    (
+        |json| json["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]),
+        "`KHR_draco_mesh_compression`, which sward does not read; export it without compression (Blender",
+    ),
     (|json| json["scenes"][0]["nodes"] = json!([]), "there are no triangles"),
     (|json| json["meshes"][0]["primitives"][0]["mode"] = json!(1), "read: 1 parts"),
     (|json| json["scenes"][0]["nodes"] = json!([99]), "scenes points to nodes[99], but there are 3"),
@@ -49,7 +54,15 @@ const MISTAKES: &[Mistake] = &[
     (|json| json["accessors"][0]["byteOffset"] = json!(u64::MAX), "reach beyond its bufferView"),
     (|json| json["accessors"][0]["componentType"] = json!(5), "has component type 5"),
     (|json| json["accessors"][0]["type"] = json!("VEC9"), "is of type `VEC9`"),
-    (|json| json["accessors"][0]["sparse"] = json!({"count": 1}), "is sparse"),
+    (|json| json["accessors"][0]["sparse"] = json!({"count": 1}), "accessors[0].sparse.indices has component type 0"),
+    (
+        |json| {
+            json["accessors"][0]["sparse"] =
+                json!({"count": 1, "indices": {"bufferView": 0, "componentType": 5125}, "values": {"bufferView": 0}})
+        },
+        "accessors[0].sparse.indices has an index",
+    ),
+    (|json| json["extensionsRequired"] = json!(["EXT_meshopt_compression"]), "gltfpack: leave out -c"),
     (|json| json["accessors"][1]["componentType"] = json!(5122), "indices are needed"),
     (|json| json["bufferViews"][0]["byteLength"] = json!(1_u64 << 60), "bufferViews[0] reaches beyond"),
     (|json| json["bufferViews"][0]["byteStride"] = json!(1), "reach beyond its bufferView"),
@@ -150,6 +163,61 @@ fn scenes_name_the_file_and_the_way_out() {
     ] {
         let found = refused(shape);
         assert!(found.contains(words), "{shape}\n  wanted {words}\n  found {found}");
+    }
+}
+
+/// The same box, once plain, once as zeros with all corners replaced, once with one corner put right.
+fn sparse_accessors_replace_elements() {
+    let (positions, triangles) = block([1.0, 0.0, -2.0], [2.0, 3.0, 4.0]);
+    let made = |replaced: &[u16], spoil: bool, view: bool| {
+        let mut given = positions.clone();
+        if spoil {
+            replaced.iter().for_each(|corner| given[usize::from(*corner)] = [9.0; 3]);
+        }
+        let mut glb = Glb::new();
+        let mesh = glb.mesh(&given, &triangles, json!({}));
+        glb.top(json!({"mesh": mesh}));
+        if !replaced.is_empty() {
+            let indices = glb.view(&replaced.iter().flat_map(|index| index.to_le_bytes()).collect::<Vec<u8>>());
+            let values =
+                glb.view(&bytes_of(replaced.iter().map(|corner| positions[usize::from(*corner)]).collect::<Vec<_>>().as_flattened()));
+            glb.json["accessors"][0]["sparse"] = json!({"count": replaced.len(), "indices": {"bufferView": indices, "componentType": 5123}, "values": {"bufferView": values}});
+        }
+        if !view {
+            glb.json["accessors"][0].as_object_mut().expect("an object").remove("bufferView");
+        }
+        Figure::read(&glb.bytes(), &|_| Err(String::new()), 2).map(|figure| figure.vertices)
+    };
+    let plain = made(&[], false, true).expect("control");
+    assert_eq!(made(&[5], true, true).expect("one is put right"), plain);
+    assert_eq!(made(&[0, 1, 2, 3, 4, 5, 6, 7], false, false).expect("all are given"), plain);
+    assert_ne!(made(&[0, 1, 2], false, false).expect("zeros elsewhere"), plain, "control");
+    assert!(made(&[], false, false).is_err(), "without a view and replacements there is nothing");
+}
+
+/// Shared vertices and textures count as often as they are used, by what their headers say.
+fn small_files_cannot_ask_for_all_memory() {
+    let mut glb = table();
+    let count = 1_600_000;
+    glb.json["accessors"][0] = json!({"componentType": 5126, "type": "VEC3", "count": count, "sparse":
+        {"count": 0, "indices": {"bufferView": 0, "componentType": 5125}, "values": {"bufferView": 0}}});
+    let normals = glb.push("accessors", glb.json["accessors"][0].clone());
+    let primitive = &mut glb.json["meshes"][0]["primitives"][0];
+    primitive["attributes"]["NORMAL"] = json!(normals);
+    let primitive = primitive.clone();
+    assert_eq!(message(&glb.bytes()), "read: 1 parts", "control: one is allowed");
+    glb.json["meshes"][0]["primitives"] = json!(vec![primitive; 1000]);
+    assert!(message(&glb.bytes()).contains("3200000 vertices, at most 3000000 are read; simplify"), "{}", message(&glb.bytes()));
+    let mut painted = table();
+    let mut png = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x20\0\0\0\x20\0\x08\x02\0\0\0\xfd\xc8\x5d\x0e\0\0\0\0IDAT\x35\xaf\x06\x1e".to_vec();
+    png.extend([0; 8]);
+    let view = painted.view(&png);
+    for number in 0..3 {
+        let image = painted.push("images", json!({"bufferView": view}));
+        let texture = painted.push("textures", json!({"source": image}));
+        painted.push("materials", json!({"pbrMetallicRoughness": {"baseColorTexture": {"index": texture}}}));
+        let found = message(&painted.bytes());
+        assert_eq!(found.contains("pixels in its textures, at most 134217728 are read; export smaller"), number == 2, "{found}");
     }
 }
 

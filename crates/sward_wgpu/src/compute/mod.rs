@@ -103,8 +103,10 @@ impl GpuStep {
     /// One fixed step: plans on the CPU, moves the cells on the GPU.
     ///
     /// # Errors
-    /// What the device reports.
+    /// What the device reports. The call that notices a loss may have planned the step; later ones leave the world as it is, with the cells of the last
+    /// download.
     pub fn step(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
+        gpu.check()?;
         self.collect(gpu, world, LATENCY - 1)?;
         let plan = world.plan();
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -134,6 +136,7 @@ impl GpuStep {
     /// # Errors
     /// What the device reports.
     pub fn download(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
+        gpu.check()?;
         self.collect(gpu, world, 0)?;
         let World { model, state, .. } = world;
         for ((buffers, stand), state) in self.stands.iter().zip(&model.stands).zip(&mut state.stands) {

@@ -3,7 +3,6 @@
 use sward::plan::StandPlan;
 use sward::response::StandModel;
 use sward::scene::Precision;
-use wgpu::util::DeviceExt;
 
 use super::Work;
 use super::buffers::CellBuffers;
@@ -112,11 +111,7 @@ impl Passes {
             label: Some("step"),
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
         });
-        let tile = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("wind tile"),
-            contents: bytemuck::cast_slice(wind_texels),
-            usage: wgpu::BufferUsages::STORAGE,
-        });
+        let tile = gpu.filled("wind tile", bytemuck::cast_slice(wind_texels), wgpu::BufferUsages::STORAGE);
         let half = *precision == Precision::Half;
         let pass = |entry, bindings| Pass::new(gpu, &module, entry, Switches { last_substep: true, half }, bindings);
         let wave_bindings = &[0, 2, 3, 4, 5, 6, 7, 11];
@@ -209,7 +204,7 @@ impl StepBuffers {
             work.uploaded += bytes.len() as u64;
             let padding = [0; 96];
             let contents = if bytes.is_empty() { &padding } else { bytes };
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+            gpu.filled(label, contents, usage)
         };
         let storage = wgpu::BufferUsages::STORAGE;
         let mut words: Vec<u8> = bytemuck::cast_slice(&plan.edges).to_vec();

@@ -31,14 +31,7 @@ impl Readback {
         if self.bytes == 0 {
             return Ok(Vec::new());
         }
-        let slice = self.staging.slice(..self.bytes);
-        slice.map_async(wgpu::MapMode::Read, |_| {});
-        let wait = wgpu::PollType::Wait { submission_index: Some(submission.clone()), timeout: None };
-        gpu.device.poll(wait).map_err(|error| GpuError::Device(error.to_string()))?;
-        gpu.check()?;
-        let values = bytemuck::pod_collect_to_vec(&slice.get_mapped_range());
-        self.staging.unmap();
-        Ok(values)
+        gpu.mapped(&self.staging, self.bytes, Some(submission.clone()), bytemuck::pod_collect_to_vec)
     }
 }
 

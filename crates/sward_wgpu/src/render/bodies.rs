@@ -2,7 +2,6 @@
 
 use sward::geometry::mesh::{Mesh, Vertex};
 use sward::picture::frame::BodyDraw;
-use wgpu::util::DeviceExt;
 
 use super::shadow::ShadowMap;
 use super::{PipelineParts, Slot, layout, main_pipeline, shader, shadow_pipeline};
@@ -105,9 +104,7 @@ impl BodyPass {
     }
 
     pub(crate) fn add_mesh(&mut self, gpu: &Gpu, mesh: &Mesh) -> usize {
-        let init = |label, contents, usage| {
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
-        };
+        let init = |label, contents, usage| gpu.filled(label, contents, usage);
         self.meshes.push(MeshBuffers {
             vertices: init(
                 "mesh vertices",

@@ -5,7 +5,6 @@ use sward::geometry::rings;
 use sward::growth::Near;
 use sward::shading::look::Turf;
 use sward::terrain::Terrain;
-use wgpu::util::DeviceExt;
 
 use super::bare::BareGround;
 use super::height_samples::HeightSamples;
@@ -73,8 +72,7 @@ impl GroundPass {
                 depth_write: true,
             },
         );
-        let init =
-            |label, contents, usage| device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage });
+        let init = |label, contents, usage| gpu.filled(label, contents, usage);
         let heights = HeightSamples::new(gpu, &relief.heights, &Default::default());
         let turf = init("turf", bytemuck::bytes_of(&turf), wgpu::BufferUsages::UNIFORM);
         // All grids have the same number of vertices; holes never make the index list longer than the first.

@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 
 use sward::shading::look::Style;
-use wgpu::util::DeviceExt;
 
 use super::clump_texture::ClumpTexture;
 use super::plants::{Look, MOST_CARDS, MOST_SEGMENTS, PLANTS_PER_INSTANCE, PlantBatch, PlantCount, PlantDraws, index_count};
@@ -93,9 +92,9 @@ impl PlantPass {
 
     fn ready_batch<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, batch: PlantBatch<'a>) -> Ready<'a> {
         let device = &gpu.device;
-        self.indices.entry((batch.segments, batch.cards)).or_insert_with(|| index_buffer(device, batch.segments, batch.cards));
+        self.indices.entry((batch.segments, batch.cards)).or_insert_with(|| index_buffer(gpu, batch.segments, batch.cards));
         let look = &self.looks[batch.look];
-        let style = self.styles.entry((batch.look, batch.segments, batch.cards)).or_insert_with(|| style_buffer(device, look, &batch));
+        let style = self.styles.entry((batch.look, batch.segments, batch.cards)).or_insert_with(|| style_buffer(gpu, look, &batch));
         let own = [
             wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
             wgpu::BindGroupEntry { binding: 4, resource: batch.plants.as_entire_binding() },
@@ -147,7 +146,7 @@ impl PlantPass {
 }
 
 /// Two triangles per segment; corner numbers are taken apart again in the vertex shader.
-fn index_buffer(device: &wgpu::Device, segments: u32, cards: u32) -> wgpu::Buffer {
+fn index_buffer(gpu: &Gpu, segments: u32, cards: u32) -> wgpu::Buffer {
     let strips = PLANTS_PER_INSTANCE * cards;
     let corners = 2 * (segments + 1);
     let indices: Vec<u16> = (0..strips)
@@ -155,18 +154,10 @@ fn index_buffer(device: &wgpu::Device, segments: u32, cards: u32) -> wgpu::Buffe
         .flat_map(|at| [at, at + 1, at + 2, at + 2, at + 1, at + 3])
         .map(|index| index as u16)
         .collect();
-    device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: Some("plant indices"),
-        contents: bytemuck::cast_slice(&indices),
-        usage: wgpu::BufferUsages::INDEX,
-    })
+    gpu.filled("plant indices", bytemuck::cast_slice(&indices), wgpu::BufferUsages::INDEX)
 }
 
-fn style_buffer(device: &wgpu::Device, look: &Look, batch: &PlantBatch<'_>) -> wgpu::Buffer {
+fn style_buffer(gpu: &Gpu, look: &Look, batch: &PlantBatch<'_>) -> wgpu::Buffer {
     let style = Style::new(look, batch.segments, batch.cards, PLANTS_PER_INSTANCE);
-    device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: Some("plant style"),
-        contents: bytemuck::bytes_of(&style),
-        usage: wgpu::BufferUsages::UNIFORM,
-    })
+    gpu.filled("plant style", bytemuck::bytes_of(&style), wgpu::BufferUsages::UNIFORM)
 }

@@ -8,10 +8,9 @@ use sward::scene::Precision;
 use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
 use sward::world::World;
-use wgpu::util::DeviceExt;
 
-use crate::compute::CELLS_WGSL;
 use super::height_samples::HeightSamples;
+use crate::compute::CELLS_WGSL;
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
@@ -92,13 +91,7 @@ impl PreparePass {
                 cache: None,
             })
         };
-        let storage = |label: &str, contents: &[u8]| {
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some(label),
-                contents,
-                usage: wgpu::BufferUsages::STORAGE,
-            })
-        };
+        let storage = |label: &str, contents: &[u8]| gpu.filled(label, contents, wgpu::BufferUsages::STORAGE);
         Self {
             full: pipeline(0.0),
             half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(1.0)),
@@ -136,9 +129,7 @@ impl PreparePass {
         buffers.reserve(gpu, batch.plants, drawn + 1);
         let Some((plants, joints)) = &buffers.filled else { return };
         let uniform = PrepareUniform::new(world, stand, plain, seen, look);
-        let made = |label: &str, contents: &[u8], usage| {
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
-        };
+        let made = |label: &str, contents: &[u8], usage| gpu.filled(label, contents, usage);
         let uniform = made("prepare", bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM);
         let wind = world.wind_before(stand, seen.behind).block(stand.cells / sward::response::continuum::NODE_CELLS);
         let wind = made("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);

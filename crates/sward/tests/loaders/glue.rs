@@ -1,0 +1,50 @@
+//! What all loaders have in common: files in memory, and a world that is stepped.
+
+use sward::model::Assets;
+use sward::scene::Scene;
+use sward::world::World;
+
+/// Files by name.
+pub(crate) struct Files(pub(crate) Vec<(&'static str, Vec<u8>)>);
+
+impl Assets for Files {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        let found = self.0.iter().find(|(name, _)| *name == path);
+        found.map(|(_, bytes)| bytes.clone()).ok_or_else(|| format!("{path} is missing"))
+    }
+}
+
+/// Compiles a scene, steps it twice, saves and restores it; whether it was taken.
+pub(crate) fn used(scene: Scene, files: &Files) -> bool {
+    let Ok(mut world) = World::new(scene, files) else { return false };
+    stepped(&mut world);
+    let saved = world.save();
+    world.restore(&saved).expect("what was saved can be restored");
+    true
+}
+
+/// Two steps, and what a picture asks for: all in bounds.
+pub(crate) fn stepped(world: &mut World) {
+    for _ in 0..2 {
+        world.step();
+    }
+    for stand in &world.state.stands {
+        for slot in stand.awake.values().map(|awake| awake.slot as usize) {
+            assert!(stand.cells.now[slot].iter().all(|value| value.is_finite()), "a cell is not a number");
+        }
+    }
+    let view = world.camera_before(0.5);
+    assert!(view.focus().iter().all(|part| part.is_finite()), "the camera looks nowhere");
+    for stand in 0..world.model.stands.len() {
+        assert!(world.bend_at(stand, [1.5, -2.0]).is_some_and(|bend| bend.iter().all(|part| part.is_finite())));
+    }
+    world.advance(0.02);
+}
+
+/// The scene with less to do.
+pub(crate) fn smaller(scene: &mut Scene) {
+    scene.stands.truncate(3);
+    scene.stands.iter_mut().for_each(|stand| stand.cells = stand.cells.min(16));
+    scene.budget.patches = scene.budget.patches.min(12);
+    scene.budget.catch_up = scene.budget.catch_up.min(2);
+}
