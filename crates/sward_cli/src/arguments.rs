@@ -3,7 +3,9 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
+
+use crate::aov;
 
 /// Largest side of a picture, pixels.
 const LARGEST_SIDE: u32 = 16384;
@@ -46,7 +48,8 @@ pub(crate) enum Command {
     #[command(after_long_help = "Examples:\n  \
         sward render hello\n  \
         sward render reed -o reed.png --time 4 --size 1920x1080\n  \
-        sward render hello --frames 0..90 --fps 30 -o clip/")]
+        sward render hello --frames 0..90 --fps 30 -o clip/\n  \
+        sward render hello --frames 0..90 -o data/ --aov depth,motion,plant")]
     Render(Render),
     /// Run a scene and write its state as NumPy arrays with a manifest
     #[command(after_long_help = "Examples:\n  \
@@ -76,6 +79,7 @@ pub(crate) enum Command {
 
 /// `sward render`.
 #[derive(Debug, Args)]
+#[command(group = ArgGroup::new("paced").args(["frames", "aov"]).multiple(true))]
 pub(crate) struct Render {
     /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
     pub(crate) scene: String,
@@ -91,8 +95,8 @@ pub(crate) struct Render {
     /// Frames to draw: the first and one past the last; frame 0 is time 0
     #[arg(long, value_name = "A..B", value_parser = frames)]
     pub(crate) frames: Option<Range<u32>>,
-    /// Frames per second
-    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=1000), requires = "frames")]
+    /// Frames per second; of a single picture with --aov, how long ago the frame before was
+    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=1000), requires = "paced")]
     pub(crate) fps: u32,
     /// Go on with a sequence that was interrupted: frames that are there are kept
     #[arg(long, requires = "frames")]
@@ -100,6 +104,12 @@ pub(crate) struct Render {
     /// Seconds between two saved states, which --resume goes on from
     #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = seconds, requires = "frames")]
     pub(crate) save_every: f64,
+    /// Outputs of each pixel to write beside every picture, like depth,motion,plant
+    #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
+    pub(crate) aov: Vec<aov::Output>,
+    /// How those are stored
+    #[arg(long, value_enum, default_value_t = aov::Format::Npy, requires = "aov")]
+    pub(crate) aov_format: aov::Format,
     /// Where the simulation runs
     #[arg(long, value_enum, default_value_t = Where::Auto)]
     pub(crate) on: Where,

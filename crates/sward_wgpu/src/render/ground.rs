@@ -12,10 +12,19 @@ use crate::gpu::Gpu;
 pub const PARTS: [&str; 5] =
     [sward::terrain::DETAIL_WGSL, super::relief::WGSL, super::HEIGHTS_WGSL, super::SHADOWS_WGSL, include_str!("ground.wgsl")];
 
+/// x, z in frame space, and the grid's spacing.
+pub(crate) const VERTICES: wgpu::VertexBufferLayout<'_> = wgpu::VertexBufferLayout {
+    array_stride: 12,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
+};
+
 /// The ground's pass.
 pub(crate) struct GroundPass {
     pipeline: wgpu::RenderPipeline,
     bindings: wgpu::BindGroup,
+    /// The terrain's samples.
+    pub(crate) heights: wgpu::Buffer,
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
     count: u32,
@@ -37,11 +46,7 @@ impl GroundPass {
                 module: &module,
                 layout: &layout,
                 vertex: "ground_vertex",
-                buffers: &[wgpu::VertexBufferLayout {
-                    array_stride: 12,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
-                }],
+                buffers: &[VERTICES],
                 fragment: Some("ground_fragment"),
                 coverage: false,
                 depth_write: true,
@@ -68,7 +73,7 @@ impl GroundPass {
         let vertices =
             init("ground vertices", bytemuck::cast_slice(&grid.vertices), wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST);
         let indices = init("ground indices", bytemuck::cast_slice(&grid.indices), wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST);
-        Self { pipeline, bindings, vertices, indices, count: grid.indices.len() as u32 }
+        Self { pipeline, bindings, heights, vertices, indices, count: grid.indices.len() as u32 }
     }
 
     /// Moves the grid under the camera.
@@ -84,6 +89,11 @@ impl GroundPass {
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.bindings, &[]);
+        self.draw_grid(pass);
+    }
+
+    /// Draws the grid with whatever pipeline is set.
+    pub(crate) fn draw_grid(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.count, 0, 0..1);

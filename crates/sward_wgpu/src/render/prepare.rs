@@ -1,11 +1,14 @@
 //! The pass that solves each visible plant once, into joints. What is drawn is decided by [`sward::picture::plan`].
 
 pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
+use sward::picture::past::Past;
 use sward::picture::plan::{Seen, THINNING};
 pub use sward::picture::prepare::PrepareUniform;
 use sward::response::StandModel;
 use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
+use sward::state::PatchKey;
+use sward::wind::WindField;
 use sward::world::World;
 use wgpu::util::DeviceExt;
 
@@ -109,19 +112,46 @@ impl PreparePass {
         cells: &CellBuffers,
         buffers: &mut BatchBuffers,
     ) {
-        let drawn = if plain { 1 } else { stand.species.billboard.segments };
-        (buffers.plants, buffers.segments) = (batch.plants, drawn);
+        let uniform = PrepareUniform::new(world, stand, plain, seen, look);
+        self.record_with(gpu, encoder, &uniform, &world.wind_before(stand, seen.behind), batch, cells, buffers);
+    }
+
+    /// Records the pass for the plants of a batch as they were in the picture before: `batch` is that of [`Past::plan`].
+    pub fn record_past(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        past: &Past,
+        (index, origin): (usize, PatchKey),
+        batch: &BatchPlan,
+        plain: bool,
+        cells: &CellBuffers,
+        buffers: &mut BatchBuffers,
+    ) {
+        self.record_with(gpu, encoder, &past.uniform(index, origin, plain), &past.wind(index), batch, cells, buffers);
+    }
+
+    fn record_with(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        uniform: &PrepareUniform,
+        wind: &WindField,
+        batch: &BatchPlan,
+        cells: &CellBuffers,
+        buffers: &mut BatchBuffers,
+    ) {
+        (buffers.plants, buffers.segments) = (batch.plants, uniform.drawn);
         if batch.draws.is_empty() {
             return;
         }
-        buffers.reserve(gpu, batch.plants, drawn + 1);
+        buffers.reserve(gpu, batch.plants, uniform.drawn + 1);
         let Some((plants, joints)) = &buffers.filled else { return };
-        let uniform = PrepareUniform::new(world, stand, plain, seen, look);
         let made = |label: &str, contents: &[u8], usage| {
             gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
         };
-        let uniform = made("prepare", bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM);
-        let wind = world.wind_before(stand, seen.behind).block(stand.cells / sward::response::continuum::NODE_CELLS);
+        let wind = wind.block(uniform.placement.cells / sward::response::continuum::NODE_CELLS);
+        let uniform = made("prepare", bytemuck::bytes_of(uniform), wgpu::BufferUsages::UNIFORM);
         let wind = made("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
         let draws = made("patches to draw", bytemuck::cast_slice(&batch.draws), wgpu::BufferUsages::STORAGE);
         let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &self.heights, &self.tile, plants, joints, &cells.old];
