@@ -12,14 +12,15 @@ use crate::exact::{self, Moment};
 /// A truck drives through two stands in gusts, past a camera that moves as well; a ball rolls, a post walks and bows, a crate stands.
 pub(crate) const CAR_PASS: &str = r#"(version: 1, field: (patch_side: 16),
     stands: [(species: Meadow, cells: 96), (species: Tussock, cells: 40, cover: 0.2)], wind: [Natural(velocity: (4, 1))],
-    terrain: Image(path: "assets/jacksboro.png", scale: 0.03125),
+    terrain: Image(path: "assets/jacksboro.png", scale: 0.1),
     interactors: [
         (name: "truck", shape: Truck, path: Keyframes(keys: [(time: 0, at: (-7, 8)), (time: 1.5, at: (8, 6))])),
         (name: "ball", shape: Sphere(radius: 0.5), path: Circle(centre: (-2, 4), radius: 2, speed: 3)),
-        (name: "post", shape: Mesh(file: "post.glb", clip: "Bow"), path: Circle(centre: (-1, 9), radius: 1, speed: 1)),
+        (name: "post", shape: Mesh(file: "post.glb", clip: "Bow"), path: Circle(centre: (-1.5, 10), radius: 1, speed: 1)),
         (name: "crate", shape: Box(size: (1, 0.8, 1)), path: Still(at: (4, 12), yaw: 0.4)),
     ],
-    camera: (keys: [(time: 0, eye: (-3, 1.9, -2), target: (-2, 0.4, 8)), (time: 1.5, eye: (2, 2.2, -1), target: (1, 0.2, 8))]),
+    camera: (keys: [(time: 0, eye: (-3, 2.8, 0), target: (-3, 0.6, 8)), (time: 1.5, eye: (1.5, 3.2, 0.5), target: (1.5, 0.5, 8))],
+        field_of_view: 0.75),
     budget: (patches: 25, focus_distance: 20, lag_distance: 20))"#;
 
 /// Size of the pictures, pixels.

@@ -66,8 +66,8 @@ fn agree(name: &str, a: &Aov, b: &Aov) -> Verdict {
         motion.rms
     );
     println!("{line}");
-    ensure(share(apart.len()) < 0.02 && share(far) < 0.002, || line.clone())?;
-    ensure(depth.p999 < 1e-2 && depth.rms < 2e-3 && motion.p999 < 0.1 && motion.rms < 0.02, || line.clone())
+    ensure(share(apart.len()) < 0.01 && share(far) < 0.001, || line.clone())?;
+    ensure(depth.p999 < 2e-3 && depth.rms < 1e-3 && motion.p999 < 0.05 && motion.rms < 0.02, || line.clone())
 }
 
 /// Controls: the frame before, and motion since another moment.
