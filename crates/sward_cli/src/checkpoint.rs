@@ -39,7 +39,14 @@ impl Settings {
         let words = format!("{:?}", opened.scene);
         let hash = words.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
         let [width, height] = size;
-        Self { scene: opened.name.clone(), fingerprint: format!("{hash:016x}"), width, height, frames_per_second: fps, aov: aov.map(|aov| aov.description().clone()) }
+        Self {
+            scene: opened.name.clone(),
+            fingerprint: format!("{hash:016x}"),
+            width,
+            height,
+            frames_per_second: fps,
+            aov: aov.map(|aov| aov.description().clone()),
+        }
     }
 
     /// What differs from those of another sequence, in words.

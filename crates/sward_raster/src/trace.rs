@@ -1,7 +1,7 @@
 //! A square of the outputs beside a picture being drawn: one sample a pixel, at its centre. Twin of the pass in `render/aov` of
 //! `sward_wgpu`.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{DVec3, Vec2, Vec3, Vec4};
 use sward::picture::aov::{AovPixel, AovUniform, pixel};
 
 use crate::sight::Sight;
@@ -15,6 +15,20 @@ pub(crate) struct Trail {
     /// Clip space of the picture before.
     then: [Vec4; 3],
     number: u32,
+    /// Edges of the triangle as planes through the eye, in (x, y, w) of clip space.
+    planes: [DVec3; 3],
+}
+
+impl Trail {
+    /// Weights of the corners at a place of the picture (−1..=1, y up), on the triangle itself: those of [`Quad`] are of corners snapped to
+    /// parts of a pixel, and a card seen on edge is narrower than these.
+    fn weights(&self, x: f64, y: f64) -> Option<Vec3> {
+        let at = DVec3::new(x, y, 1.0);
+        let weights = DVec3::from(self.planes.map(|plane| plane.dot(at)));
+        let sum = weights.element_sum();
+        let inside = (weights / sum).max(DVec3::ZERO);
+        (sum != 0.0).then(|| (inside / inside.element_sum()).as_vec3()).filter(|weights| weights.is_finite())
+    }
 }
 
 /// A tile's pixels, row by row.
@@ -41,7 +55,9 @@ impl<'a> Trace<'a> {
 
     /// A triangle with clip space `now`, whose corners were at `then`, m in frame space.
     pub(crate) fn trail(&self, now: [Vec4; 3], then: [Vec3; 3], number: u32) -> Trail {
-        Trail { now, then: then.map(|place| self.before.then * place.extend(1.0)), number }
+        let [a, b, c] = now.map(|corner| DVec3::new(corner.x.into(), corner.y.into(), corner.w.into()));
+        let planes = [b.cross(c), c.cross(a), a.cross(b)];
+        Trail { now, then: then.map(|place| self.before.then * place.extend(1.0)), number, planes }
     }
 
     /// Draws a triangle; `solid` says which lanes of a quad it holds.
@@ -70,7 +86,9 @@ impl<'a> Trace<'a> {
                 let quad = Quad { weights: centres(triangle, edges), visible };
                 let solid = solid(&quad);
                 for lane in (0..4).filter(|lane| solid[*lane] && quad.lane(*lane)) {
-                    let weights = quad.weights[lane];
+                    let [x, y] = [0, 1].map(|axis| ((first[axis] + CENTRES[lane][axis]) as f64) / 256.0);
+                    let size = self.size.as_dvec2();
+                    let weights = trail.weights(2.0 * x / size.x - 1.0, 1.0 - 2.0 * y / size.y).unwrap_or(quad.weights[lane]);
                     self.depths[place(lane)] = depths[lane].unwrap_or_default();
                     self.pixels[place(lane)] = pixel(between(weights, &trail.now), between(weights, &trail.then), self.size, trail.number);
                 }

@@ -1,10 +1,10 @@
 //! A picture of a scene, without a window: shadow pass, main pass, resolve, read-back; and outputs beside it where they are asked for.
 
+pub use crate::render::aov::Before;
 use sward::geometry::mesh::Mesh;
 use sward::geometry::relief::Relief;
-use sward::picture::aov::Aov;
-pub use crate::render::aov::Before;
 pub use sward::picture::Picture;
+use sward::picture::aov::Aov;
 use sward::picture::frame::{FrameInput, FrameUniform};
 use sward::picture::subject::SHADOW_REACH;
 use sward::shading::look::{Look, Turf};

@@ -15,7 +15,13 @@ pub(crate) struct Memory(Option<Past>);
 
 impl Artist<'_> {
     /// Takes the moment `behind` steps before the world's state for that of the picture before.
-    pub(crate) fn remember(&mut self, memory: &mut Memory, world: &mut World, backend: &mut Backend<'_>, behind: f64) -> Result<(), Failure> {
+    pub(crate) fn remember(
+        &mut self,
+        memory: &mut Memory,
+        world: &mut World,
+        backend: &mut Backend<'_>,
+        behind: f64,
+    ) -> Result<(), Failure> {
         match self {
             Self::Cpu(_) => {
                 backend.fetch(world)?;

@@ -97,9 +97,11 @@ impl Output {
     fn entry(self, format: Format) -> Entry {
         let (meaning, unit, dtype) = match self {
             Self::Depth => ("distance along the axis of view; infinite for the sky", "m", "<f4"),
-            Self::Motion => {
-                ("(x right, y down) from the pixel to where the same point was in the frame before; 65536 where it was unseen", "pixels", "<f4")
-            }
+            Self::Motion => (
+                "(x right, y down) from the pixel to where the same point was in the frame before; 65536 where it was unseen",
+                "pixels",
+                "<f4",
+            ),
             Self::Plant => ("number of the plant: see numbers", "", "<u4"),
         };
         let (file, channels) = match format {
@@ -126,8 +128,12 @@ impl Outputs {
         let identity = Identity::of(world);
         if wanted.contains(&Output::Plant) && !identity.is_unique() {
             let stands = world.model.stands.len();
-            let message = format!("the plants of {stands} stands with up to {} bits of cells cannot be numbered in 32 bits", identity.cell_bits);
-            return Err(Failure::input(message, "leave `plant` out of --aov; or give the scene fewer stands, fewer `cells`, or larger patches"));
+            let message =
+                format!("the plants of {stands} stands with up to {} bits of cells cannot be numbered in 32 bits", identity.cell_bits);
+            return Err(Failure::input(
+                message,
+                "leave `plant` out of --aov; or give the scene fewer stands, fewer `cells`, or larger patches",
+            ));
         }
         let stand = |(stand, cells): (&sward::model::StandModel, &u32)| Stand { name: stand.name.clone(), cells: *cells };
         let numbers = Numbers {
@@ -161,9 +167,11 @@ impl Outputs {
     pub(crate) fn write(&self, picture: &Path, aov: &Aov) -> Result<(), Failure> {
         match self.format {
             Format::Exr => output::write_whole(&picture.with_extension("exr"), |writer| files::write_exr(writer, aov, &self.wanted)),
-            Format::Npy => self.paths(picture).iter().zip(&self.wanted).try_for_each(|(path, wanted)| {
-                output::write_whole(path, |writer| files::write_npy(writer, aov, *wanted))
-            }),
+            Format::Npy => self
+                .paths(picture)
+                .iter()
+                .zip(&self.wanted)
+                .try_for_each(|(path, wanted)| output::write_whole(path, |writer| files::write_npy(writer, aov, *wanted))),
         }
     }
 

@@ -71,9 +71,7 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
             let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}_frames", opened.name)));
             output::folder(&folder, true)?;
             let steps = |frame: u32| f64::from(frame) * f64::from(rate) / f64::from(arguments.fps);
-            let shot = |frame: u32| {
-                Shot::new(steps(frame), steps(frame.saturating_sub(1)), folder.join(format!("frame_{frame:04}.png")))
-            };
+            let shot = |frame: u32| Shot::new(steps(frame), steps(frame.saturating_sub(1)), folder.join(format!("frame_{frame:04}.png")));
             let settings = Settings::new(&opened, arguments.size, arguments.fps, outputs.as_ref());
             let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every, arguments.resume)?;
             (frames.clone().map(shot).collect(), Some((folder.clone(), checkpoint)), folder)

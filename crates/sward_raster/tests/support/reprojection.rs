@@ -159,9 +159,7 @@ impl Pair {
     /// The motion of the pixels of a kind, and what it should be; `None` where there is nothing to compare with.
     pub(crate) fn exact(&self, kind: Kind) -> Vec<Option<[DVec2; 2]>> {
         let (later, identity) = (&self.frames[1], Identity::of(&self.world));
-        let both = |at: usize| {
-            Some([given(later, at), exact::motion(&self.world, &identity, self.moments.each_ref(), later, at)?])
-        };
+        let both = |at: usize| Some([given(later, at), exact::motion(&self.world, &identity, self.moments.each_ref(), later, at)?]);
         (0..later.plant.len()).filter(|at| self.kinds[*at] == kind).map(both).collect()
     }
 }

@@ -93,14 +93,7 @@ impl PlantPass {
         ReadyPlants(batches.into_iter().map(|(number, batch)| self.ready_batch(gpu, frame, map, number, *batch)).collect())
     }
 
-    fn ready_batch<'a>(
-        &mut self,
-        gpu: &Gpu,
-        frame: &wgpu::Buffer,
-        map: &ShadowMap,
-        number: usize,
-        batch: PlantBatch<'a>,
-    ) -> Ready<'a> {
+    fn ready_batch<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, number: usize, batch: PlantBatch<'a>) -> Ready<'a> {
         let device = &gpu.device;
         self.indices.entry((batch.segments, batch.cards)).or_insert_with(|| index_buffer(device, batch.segments, batch.cards));
         let look = &self.looks[batch.look];

@@ -1,7 +1,7 @@
 //! The pass that solves each visible plant once, into joints. What is drawn is decided by [`sward::picture::plan`].
 
-pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
 use sward::picture::past::Past;
+pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
 use sward::picture::plan::{Seen, THINNING};
 pub use sward::picture::prepare::PrepareUniform;
 use sward::response::StandModel;

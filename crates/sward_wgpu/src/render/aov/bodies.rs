@@ -66,8 +66,7 @@ impl Bodies {
     /// Puts the bodies where they were; the answer is the vertices of meshes that moved in themselves, by number.
     pub(super) fn place(&self, gpu: &Gpu, before: &Before<'_>) -> Vec<(usize, wgpu::Buffer)> {
         let then = before.bodies.iter().take(MOST);
-        let then: Vec<BodyThen> =
-            then.map(|body| BodyThen { transform: body.transform, number: [body.number, 0, 0, 0] }).collect();
+        let then: Vec<BodyThen> = then.map(|body| BodyThen { transform: body.transform, number: [body.number, 0, 0, 0] }).collect();
         gpu.queue.write_buffer(&self.then, 0, bytemuck::cast_slice(&then));
         let vertices = |contents| {
             let usage = wgpu::BufferUsages::VERTEX;

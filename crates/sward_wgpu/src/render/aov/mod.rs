@@ -18,8 +18,7 @@ use super::{DEPTH, assemble};
 use crate::gpu::Gpu;
 
 /// Depth, motion, plant: 16 of the 32 bytes a sample that WebGPU grants.
-pub const FORMATS: [wgpu::TextureFormat; 3] =
-    [wgpu::TextureFormat::R32Float, wgpu::TextureFormat::Rg32Float, wgpu::TextureFormat::R32Uint];
+pub const FORMATS: [wgpu::TextureFormat; 3] = [wgpu::TextureFormat::R32Float, wgpu::TextureFormat::Rg32Float, wgpu::TextureFormat::R32Uint];
 
 /// What all shaders of the pass share.
 const WGSL: &str = include_str!("aov.wgsl");

@@ -76,8 +76,7 @@ impl Plants {
             (10, plants_then),
             (11, joints_then),
         ];
-        let mut entries =
-            buffers.map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() }).to_vec();
+        let mut entries = buffers.map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() }).to_vec();
         entries.push(wgpu::BindGroupEntry { binding: 7, resource: wgpu::BindingResource::TextureView(&clumps.view) });
         entries.push(wgpu::BindGroupEntry { binding: 8, resource: wgpu::BindingResource::Sampler(&clumps.sampler) });
         let label = Some("plants, outputs");
