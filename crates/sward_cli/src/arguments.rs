@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
-use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::aov;
 
@@ -14,7 +14,7 @@ const LATEST: f64 = 1e6;
 /// Most steps.
 const MOST: u32 = 100_000_000;
 /// Last frame: nine hours of film.
-const LAST_FRAME: u32 = 1_000_000;
+pub(crate) const LAST_FRAME: u32 = 1_000_000;
 
 const AFTER: &str = "Without a command, `sward` renders the scene `hello` to hello.png in the current folder.\n\
     Exit status: 0 done, 1 failed, 2 wrong input (then nothing is written).";
@@ -23,6 +23,7 @@ const EXAMPLES: &str = "Examples:\n  \
     sward                                        a first picture: hello.png\n  \
     sward scenes                                 what scenes there are\n  \
     sward render reed -o reed.png --time 4       one picture\n  \
+    sward render hello -o hello.mp4              a clip\n  \
     sward render hello --frames 0..90 -o clip/   three seconds, frame by frame\n  \
     sward simulate lawn --steps 600 -o data/     the state as NumPy arrays\n  \
     sward show my_scene.ron                      what a scene contains and costs\n\n\
@@ -44,10 +45,11 @@ pub(crate) struct Arguments {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Draw a scene: one picture, or a sequence of frames
+    /// Draw a scene: one picture, a clip, or a sequence of frames
     #[command(after_long_help = "Examples:\n  \
         sward render hello\n  \
         sward render reed -o reed.png --time 4 --size 1920x1080\n  \
+        sward render hello -o hello.mp4 --seconds 5\n  \
         sward render hello --frames 0..90 --fps 30 -o clip/\n  \
         sward render hello --frames 0..90 -o data/ --aov depth,motion,plant")]
     Render(Render),
@@ -79,13 +81,15 @@ pub(crate) enum Command {
 
 /// `sward render`.
 #[derive(Debug, Args)]
-#[command(group = ArgGroup::new("paced").args(["frames", "aov"]).multiple(true))]
 pub(crate) struct Render {
     /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
     pub(crate) scene: String,
-    /// Picture (FILE.png) or, with --frames, folder; by default named like the scene
-    #[arg(short, long, value_name = "FILE.png|DIR/")]
+    /// Picture (FILE.png), clip (FILE.mp4) or, with --frames, folder; by default named like the scene
+    #[arg(short, long, value_name = "FILE.png|FILE.mp4|DIR/")]
     pub(crate) output: Option<PathBuf>,
+    /// Make a clip (MP4 with AV1), also without -o FILE.mp4
+    #[arg(long)]
+    pub(crate) clip: bool,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
     pub(crate) size: [u32; 2],
@@ -95,15 +99,18 @@ pub(crate) struct Render {
     /// Frames to draw: the first and one past the last; frame 0 is time 0
     #[arg(long, value_name = "A..B", value_parser = frames)]
     pub(crate) frames: Option<Range<u32>>,
-    /// Frames per second; of a single picture with --aov, how long ago the frame before was
-    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=1000), requires = "paced")]
-    pub(crate) fps: u32,
-    /// Go on with a sequence that was interrupted: frames that are there are kept
-    #[arg(long, requires = "frames")]
+    /// How long the clip lasts, from time 0; by default as long as suits the scene
+    #[arg(long, value_name = "S", value_parser = seconds, conflicts_with = "frames", allow_negative_numbers = true)]
+    pub(crate) seconds: Option<f64>,
+    /// Frames per second, by default 24 in a clip and 30 in a sequence; of one picture with --aov, how long ago the frame before was
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub(crate) fps: Option<u32>,
+    /// Go on with a sequence or a clip that was interrupted: frames that are there are kept
+    #[arg(long)]
     pub(crate) resume: bool,
-    /// Seconds between two saved states, which --resume goes on from
-    #[arg(long, value_name = "S", default_value_t = 10.0, value_parser = seconds, requires = "frames")]
-    pub(crate) save_every: f64,
+    /// Seconds between two saved states, which --resume goes on from; by default 10
+    #[arg(long, value_name = "S", value_parser = seconds)]
+    pub(crate) save_every: Option<f64>,
     /// Outputs of each pixel to write beside every picture, like depth,motion,plant
     #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
     pub(crate) aov: Vec<aov::Output>,
@@ -116,6 +123,13 @@ pub(crate) struct Render {
     /// What draws the picture
     #[arg(long, value_enum, default_value_t = Draw::Auto)]
     pub(crate) draw: Draw,
+}
+
+impl Render {
+    /// Seconds between two saved states.
+    pub(crate) fn save_every(&self) -> f64 {
+        self.save_every.unwrap_or(10.0)
+    }
 }
 
 /// `sward simulate`.

@@ -7,6 +7,7 @@ mod arguments;
 mod artist;
 mod backend;
 mod checkpoint;
+mod clip;
 mod commands;
 mod console;
 mod failure;

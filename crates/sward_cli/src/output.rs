@@ -14,15 +14,37 @@ pub(crate) fn picture(wanted: Option<&Path>, name: &str) -> Result<PathBuf, Fail
         let inside = path.join(format!("{name}.png"));
         return Err(Failure::input(format!("{shown} is a folder, but one picture is one file"), format!("type -o {}", inside.display())));
     }
-    if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+    if !ends_in(&path, "png") {
         let named = path.with_extension("png");
         return Err(Failure::input(
-            format!("pictures are PNG files, and {shown} is not named like one"),
-            format!("type -o {}", named.display()),
+            format!("pictures are PNG files and clips MP4, and {shown} is named like neither"),
+            format!("type -o {} or -o {}", named.display(), path.with_extension("mp4").display()),
         ));
     }
     has_parent(&path)?;
     Ok(path)
+}
+
+/// The place of a clip: `wanted`, or `name`.mp4 in the current folder.
+pub(crate) fn clip(wanted: Option<&Path>, name: &str) -> Result<PathBuf, Failure> {
+    let path = wanted.map_or_else(|| PathBuf::from(format!("{name}.mp4")), Path::to_owned);
+    let shown = path.display();
+    if path.is_dir() || ends_in_separator(&path) {
+        let inside = path.join(format!("{name}.mp4"));
+        return Err(Failure::input(format!("{shown} is a folder, but a clip is one file"), format!("type -o {}", inside.display())));
+    }
+    if !ends_in(&path, "mp4") {
+        let named = path.with_extension("mp4");
+        let help = format!("type -o {}, or leave --clip out", named.display());
+        return Err(Failure::input(format!("clips are MP4 files, and {shown} is not named like one"), help));
+    }
+    has_parent(&path)?;
+    Ok(path)
+}
+
+/// Whether a file is named like one of a kind.
+pub(crate) fn ends_in(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
 }
 
 /// A folder to write several files to. It may be missing, the folder around it may not.
@@ -31,7 +53,7 @@ pub(crate) fn folder(path: &Path, for_pictures: bool) -> Result<(), Failure> {
     if path.is_dir() {
         return Ok(());
     }
-    let like_a_file = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+    let like_a_file = ends_in(path, "png");
     if path.exists() || (for_pictures && like_a_file && !ends_in_separator(path)) {
         let named = path.with_extension("");
         let help = format!("type a folder: -o {}{}", named.display(), if named == path { "_files/" } else { "/" });
@@ -60,7 +82,10 @@ pub(crate) fn make_folder(path: &Path) -> Result<(), Failure> {
     if path.is_dir() {
         return Ok(());
     }
-    std::fs::create_dir(path).map_err(|error| cannot_write(path, &error))
+    std::fs::create_dir(path).map_err(|error| {
+        let shown = path.display();
+        Failure::input(format!("cannot make the folder {shown}: {error}"), "type -o and a place that you may write to")
+    })
 }
 
 /// Removes a file of an earlier run; that there is none is fine.
@@ -84,6 +109,23 @@ pub(crate) fn remove_unfinished(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Removes the frames of a clip that is whole, and their folder if nothing else is in it.
+pub(crate) fn remove_frames(folder: &Path) -> Result<(), Failure> {
+    remove_unfinished(folder)?;
+    let entries = std::fs::read_dir(folder).map_err(|error| cannot_write(folder, &error))?;
+    for entry in entries.flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let number = name.strip_prefix("frame_").and_then(|name| name.strip_suffix(".png"));
+        let ours = name == "frames.json" || number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
+        if ours {
+            remove(&entry.path())?;
+        }
+    }
+    // What others put there stays, and so does the folder.
+    let _ = std::fs::remove_dir(folder);
+    Ok(())
+}
+
 /// Writes a file under another name first: whoever looks sees the old file or the whole new one.
 pub(crate) fn write_whole(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>) -> Result<(), Failure> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -101,6 +143,7 @@ pub(crate) fn write_whole(path: &Path, write: impl FnOnce(&mut BufWriter<File>) 
     })
 }
 
-fn cannot_write(path: &Path, error: &std::io::Error) -> Failure {
+/// The disk did not play along.
+pub(crate) fn cannot_write(path: &Path, error: &std::io::Error) -> Failure {
     Failure::failed(format!("cannot write {}: {error}", path.display()))
 }

@@ -92,6 +92,7 @@ fn wrong_outputs_are_refused() {
     place.refuses(&["render", "small.ron", "--aov", "depth,colour"], &["colour", "depth", "motion", "plant"]);
     place.refuses(&["render", "small.ron", "--aov-format", "exr"], &["--aov"]);
     place.refuses(&["render", "small.ron", "--fps", "24"], &["--frames"]);
+    place.refuses(&["render", "small.ron", "-o", "small.mp4", "--aov", "depth"], &["a clip keeps none", "--frames"]);
     let stand = |index: u32| format!("(species: Reed, cells: 256, name: \"{index}\"),");
     let stands: String = (0..64).map(stand).collect();
     place.write("many.ron", format!("(version: 1, field: (patch_side: 8), stands: [{stands}])"));

@@ -53,13 +53,13 @@ fn wrong_sward(arguments: &[&str]) -> Option<String> {
 }
 
 fn wrong_cargo(name: &str, arguments: &[&str]) -> Option<String> {
-    if !["build", "clippy", "doc", "fmt", "install", "package", "run", "test"].contains(&name) {
+    if !["bench", "build", "clippy", "doc", "fmt", "install", "package", "run", "test"].contains(&name) {
         return Some(format!("cargo has no command {name}"));
     }
     let missing = |pair: &&[&str]| match pair {
         ["-p" | "--package", package] => !root().join("crates").join(package).join("Cargo.toml").exists(),
         ["--path", path] => !root().join(path).exists(),
-        ["--test" | "--example", target] => !has_target(target),
+        ["--test" | "--example" | "--bench", target] => !has_target(target),
         _ => false,
     };
     if let Some(pair) = arguments.windows(2).find(missing) {
@@ -69,10 +69,10 @@ fn wrong_cargo(name: &str, arguments: &[&str]) -> Option<String> {
     if name == "run" { own.and_then(wrong_sward) } else { None }
 }
 
-/// Whether a crate has a test or an example of this name.
+/// Whether a crate has a test, an example or a bench of this name.
 fn has_target(target: &str) -> bool {
     let crates = std::fs::read_dir(root().join("crates")).expect("the folder of crates").flatten();
-    let folders = crates.flat_map(|entry| ["tests", "examples"].map(|kind| entry.path().join(kind)));
+    let folders = crates.flat_map(|entry| ["tests", "examples", "benches"].map(|kind| entry.path().join(kind)));
     folders.into_iter().any(|folder| folder.join(format!("{target}.rs")).exists() || folder.join(target).join("main.rs").exists())
 }
 

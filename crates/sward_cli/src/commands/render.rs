@@ -1,8 +1,9 @@
-//! `sward render`: one picture, or a sequence of frames.
+//! `sward render`: one picture, or a sequence of frames; clips are made of these in [`crate::clip`].
 
 use std::fs::File;
 use std::io::{BufWriter, Error};
-use std::path::PathBuf;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use image::codecs::png::PngEncoder;
@@ -15,11 +16,15 @@ use crate::arguments::{self, Draw, Where};
 use crate::artist::{self, Artist};
 use crate::backend::Backend;
 use crate::checkpoint::{Checkpoint, Settings};
+use crate::clip;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::output;
 use crate::progress::Progress;
 use crate::scenes::{self, Opened};
+
+/// Frames a second of a sequence, if nothing else is asked for.
+const RATE: u32 = 30;
 
 /// A picture to take.
 pub(crate) struct Shot {
@@ -43,6 +48,13 @@ impl Shot {
     }
 }
 
+impl Shot {
+    /// Where it goes.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
 /// What was done, for the summary.
 pub(crate) struct Done {
     /// What drew.
@@ -55,26 +67,35 @@ pub(crate) struct Done {
     kept: usize,
 }
 
+impl Done {
+    /// How many frames were there already, in words that follow `frames`.
+    pub(crate) fn kept(&self) -> String {
+        if self.kept == 0 { String::new() } else { format!(", {} of them there already", self.kept) }
+    }
+}
+
 /// Draws what was asked for.
 pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<(), Failure> {
     let opened = scenes::open(&arguments.scene)?;
+    if clip::is_wanted(arguments, &opened)? {
+        return clip::run(arguments, &opened, console);
+    }
     let rate = opened.scene.steps_per_second;
     let world = opened.world()?;
     let outputs = Outputs::new(&arguments.aov, arguments.aov_format, &world)?;
     let (mut shots, sequence, place) = match &arguments.frames {
         None => {
             let path = output::picture(arguments.output.as_deref(), &opened.name)?;
-            let shot = single(&opened, arguments.time, arguments.fps, path.clone());
+            let shot = single(&opened, arguments.time, arguments.fps.unwrap_or(RATE), path.clone());
             (vec![shot], None, path)
         }
         Some(frames) => {
             let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}_frames", opened.name)));
             output::folder(&folder, true)?;
-            let steps = |frame: u32| f64::from(frame) * f64::from(rate) / f64::from(arguments.fps);
-            let shot = |frame: u32| Shot::new(steps(frame), steps(frame.saturating_sub(1)), folder.join(format!("frame_{frame:04}.png")));
-            let settings = Settings::new(&opened, arguments.size, arguments.fps, outputs.as_ref());
-            let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every, arguments.resume)?;
-            (frames.clone().map(shot).collect(), Some((folder.clone(), checkpoint)), folder)
+            let fps = arguments.fps.unwrap_or(RATE);
+            let settings = Settings::new(&opened, arguments.size, fps, outputs.as_ref());
+            let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every(), arguments.resume)?;
+            (shots(&opened, frames.clone(), fps, &folder), Some((folder.clone(), checkpoint)), folder)
         }
     };
     if let Some(outputs) = &outputs {
@@ -84,8 +105,7 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
     let [width, height] = arguments.size;
     let what = match (shots.len(), shots.last()) {
         (1, Some(shot)) => format!("at {:.2} s", (shot.step as f64 - shot.behind) / f64::from(rate)),
-        (frames, _) if done.kept > 0 => format!("{frames} frames, {} of them there already", done.kept),
-        (frames, _) => format!("{frames} frames"),
+        (frames, _) => format!("{frames} frames{}", done.kept()),
     };
     let (place, Done { artist, on, seconds, .. }) = (place.display(), done);
     console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {artist} in {seconds:.1} s", opened.name))
@@ -96,6 +116,14 @@ pub(crate) fn single(opened: &Opened, time: Option<f64>, fps: u32, path: PathBuf
     let rate = f64::from(opened.scene.steps_per_second);
     let steps = time.unwrap_or(opened.time) * rate;
     Shot::new(steps, (steps - rate / f64::from(fps)).max(0.0), path)
+}
+
+/// The frames of a sequence, in order of time.
+pub(crate) fn shots(opened: &Opened, frames: Range<u32>, fps: u32, folder: &Path) -> Vec<Shot> {
+    let rate = opened.scene.steps_per_second;
+    let steps = |frame: u32| f64::from(frame) * f64::from(rate) / f64::from(fps);
+    let shot = |frame: u32| Shot::new(steps(frame), steps(frame.saturating_sub(1)), folder.join(format!("frame_{frame:04}.png")));
+    frames.map(shot).collect()
 }
 
 /// The first whole step not before a moment given in steps, and how far before it that lies.
