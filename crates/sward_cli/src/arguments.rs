@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::aov;
+
 /// Largest side of a picture, pixels.
 const LARGEST_SIDE: u32 = 16384;
 /// Latest time that can be asked for, s: eleven days of simulation.
@@ -48,7 +50,8 @@ pub(crate) enum Command {
         sward render hello\n  \
         sward render reed -o reed.png --time 4 --size 1920x1080\n  \
         sward render hello -o hello.mp4 --seconds 5\n  \
-        sward render hello --frames 0..90 --fps 30 -o clip/")]
+        sward render hello --frames 0..90 --fps 30 -o clip/\n  \
+        sward render hello --frames 0..90 -o data/ --aov depth,motion,plant")]
     Render(Render),
     /// Run a scene and write its state as NumPy arrays with a manifest
     #[command(after_long_help = "Examples:\n  \
@@ -101,7 +104,7 @@ pub(crate) struct Render {
     /// How long the clip lasts, from time 0; by default as long as suits the scene
     #[arg(long, value_name = "S", value_parser = seconds, conflicts_with = "frames", allow_negative_numbers = true)]
     pub(crate) seconds: Option<f64>,
-    /// Frames per second; by default 24 in a clip and 30 in a sequence
+    /// Frames per second, by default 24 in a clip and 30 in a sequence; of one picture with --aov, how long ago the frame before was
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub(crate) fps: Option<u32>,
     /// Go on with a sequence or a clip that was interrupted: frames that are there are kept
@@ -110,6 +113,12 @@ pub(crate) struct Render {
     /// Seconds between two saved states, which --resume goes on from; by default 10
     #[arg(long, value_name = "S", value_parser = seconds)]
     pub(crate) save_every: Option<f64>,
+    /// Outputs of each pixel to write beside every picture, like depth,motion,plant
+    #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
+    pub(crate) aov: Vec<aov::Output>,
+    /// How those are stored
+    #[arg(long, value_enum, default_value_t = aov::Format::Npy, requires = "aov")]
+    pub(crate) aov_format: aov::Format,
     /// Where the simulation runs
     #[arg(long, value_enum, default_value_t = Where::Auto)]
     pub(crate) on: Where,

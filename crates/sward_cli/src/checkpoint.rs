@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use serde::{Deserialize, Serialize};
 use sward::world::World;
 
+use crate::aov::{Description, Outputs};
 use crate::backend::Backend;
 use crate::failure::Failure;
 use crate::output;
@@ -31,15 +32,26 @@ pub(crate) struct Settings {
     width: u32,
     height: u32,
     frames_per_second: u32,
+    /// Outputs of each pixel beside the frames.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    aov: Option<Description>,
 }
 
 impl Settings {
     /// Those of a sequence.
-    pub(crate) fn new(opened: &Opened, size: [u32; 2], fps: u32) -> Self {
+    pub(crate) fn new(opened: &Opened, size: [u32; 2], fps: u32, aov: Option<&Outputs>) -> Self {
         let words = format!("{:?}", opened.scene);
         let hash = words.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
         let [width, height] = size;
-        Self { version: VERSION, scene: opened.name.clone(), fingerprint: format!("{hash:016x}"), width, height, frames_per_second: fps }
+        Self {
+            version: VERSION,
+            scene: opened.name.clone(),
+            fingerprint: format!("{hash:016x}"),
+            width,
+            height,
+            frames_per_second: fps,
+            aov: aov.map(|aov| aov.description().clone()),
+        }
     }
 
     /// Those of an earlier run; `None` where there was none.
@@ -76,7 +88,10 @@ impl Settings {
         if size(self) != size(other) {
             return Some(format!("they are {} pixels", size(other)));
         }
-        (self.frames_per_second != other.frames_per_second).then(|| format!("there are {} a second", other.frames_per_second))
+        if self.frames_per_second != other.frames_per_second {
+            return Some(format!("there are {} a second", other.frames_per_second));
+        }
+        (self.aov != other.aov).then(|| "other outputs of --aov lie beside them".to_owned())
     }
 }
 
@@ -121,9 +136,9 @@ impl Checkpoint {
         output::write_whole(&self.folder.join(SETTINGS), |writer| writeln!(writer, "{text}"))
     }
 
-    /// Whether a frame needs not be drawn again.
-    pub(crate) fn has(&self, frame: &Path) -> bool {
-        self.resume && frame.is_file()
+    /// Whether a frame of these files needs not be drawn again.
+    pub(crate) fn has<'a>(&self, mut files: impl Iterator<Item = &'a PathBuf>) -> bool {
+        self.resume && files.all(|file| file.is_file())
     }
 
     /// Puts the world where an interrupted run left off, if that is not after step `before`.

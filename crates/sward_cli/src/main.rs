@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod aov;
 mod arguments;
 mod artist;
 mod backend;

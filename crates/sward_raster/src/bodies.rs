@@ -11,6 +11,7 @@ use crate::ground::rect;
 use crate::shadows::{self, ShadowTile, TILE, TILES};
 use crate::sight::{Sight, mix};
 use crate::tile::{Quad, Shaded, Tile};
+use crate::trace::Trace;
 use crate::triangle::clipped;
 
 /// A corner of a body in frame space.
@@ -26,6 +27,8 @@ struct Skin {
 /// The bodies of one picture, in triangles.
 pub(crate) struct Bodies {
     triangles: Vec<[Skin; 3]>,
+    /// Number in the scene of the body of each.
+    numbers: Vec<u32>,
 }
 
 fn skin(vertex: &Vertex, draw: &BodyDraw) -> Skin {
@@ -43,8 +46,8 @@ fn skin(vertex: &Vertex, draw: &BodyDraw) -> Skin {
 
 impl Bodies {
     /// Puts the meshes where the bodies are.
-    pub(crate) fn new(meshes: &[std::borrow::Cow<'_, Mesh>], draws: &[BodyDraw]) -> Self {
-        let mut triangles = Vec::new();
+    pub(crate) fn new(meshes: &[&Mesh], draws: &[BodyDraw]) -> Self {
+        let (mut triangles, mut numbers) = (Vec::new(), Vec::new());
         for draw in draws {
             let Some(mesh) = meshes.get(draw.mesh) else { continue };
             let skins: Vec<Skin> = mesh.vertices.iter().map(|vertex| skin(vertex, draw)).collect();
@@ -53,8 +56,9 @@ impl Bodies {
                 Some([corner(0)?, corner(1)?, corner(2)?])
             });
             triangles.extend(corners);
+            numbers.resize(triangles.len(), draw.number);
         }
-        Self { triangles }
+        Self { triangles, numbers }
     }
 
     fn clip(&self, sight: &Sight<'_>, index: usize) -> [Vec4; 3] {
@@ -87,6 +91,17 @@ impl Bodies {
     /// Draws into a tile of the shadow map.
     pub(crate) fn draw_shadow(&self, frame: &FrameUniform, tile: &mut ShadowTile, which: &[u32]) {
         which.iter().for_each(|index| tile.draw(self.in_map(frame, *index as usize), None));
+    }
+
+    /// Draws the outputs of what lies in a tile; `then`: the same bodies where they were.
+    pub(crate) fn trace(&self, sight: &Sight<'_>, tile: &mut Trace<'_>, which: &[u32], then: &Self) {
+        for &index in which {
+            let at = index as usize;
+            // Meshes keep the number and order of their triangles.
+            let Some(was) = then.triangles.get(at) else { continue };
+            let trail = tile.trail(self.clip(sight, at), was.map(|corner| corner.place), self.numbers[at]);
+            tile.draw(&trail, |_| [true; 4]);
+        }
     }
 
     /// Draws into a tile of the picture.

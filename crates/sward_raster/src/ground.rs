@@ -4,7 +4,6 @@ use glam::{Vec2, Vec3, Vec4};
 use sward::geometry::relief::{Relief, ReliefFrame, detail, edit, height};
 use sward::geometry::rings::{self, Grid};
 use sward::growth::Near;
-use sward::picture::frame::FrameInput;
 use sward::shading::ground::{earth, ground, stray};
 use sward::shading::look::Turf;
 use sward::terrain::{EditFrame, Edits};
@@ -14,6 +13,7 @@ use crate::each::each;
 use crate::shadows;
 use crate::sight::{Sight, mix};
 use crate::tile::{self, Quad, Shaded, Tile};
+use crate::trace::Trace;
 use crate::triangle::{clipped, to_pixels};
 
 /// Vertices at once.
@@ -50,12 +50,18 @@ fn point(sight: &Sight<'_>, relief: &Relief, edits: &Edits, frame: &(ReliefFrame
 }
 
 impl Ground {
-    /// Lays the grid out under the camera and sorts it into `columns × rows` tiles.
-    pub(crate) fn new(sight: &Sight<'_>, relief: &Relief, input: &FrameInput<'_>, [columns, rows]: [usize; 2]) -> Self {
-        let phase = input.origin.map(|metres| metres.rem_euclid(1024.0) as f32);
-        let Grid { vertices, indices } = rings::build([input.view.position.x, input.view.position.z], phase);
-        let edits = input.terrain.edits();
-        let frame = (relief.frame(input.origin), edits.frame(input.origin));
+    /// Lays the grid of a frame at `origin` out under the camera and sorts it into `columns × rows` tiles.
+    pub(crate) fn new(
+        sight: &Sight<'_>,
+        relief: &Relief,
+        edits: &Edits,
+        origin: [f64; 2],
+        camera: [f32; 2],
+        [columns, rows]: [usize; 2],
+    ) -> Self {
+        let phase = origin.map(|metres| metres.rem_euclid(1024.0) as f32);
+        let Grid { vertices, indices } = rings::build(camera, phase);
+        let frame = (relief.frame(origin), edits.frame(origin));
         let chunks = vertices.chunks(CHUNK).collect();
         let points = each(chunks, |chunk: &[[f32; 3]]| {
             chunk.iter().map(|[x, z, spacing]| point(sight, relief, edits, &frame, Vec2::new(*x, *z), *spacing)).collect::<Vec<_>>()
@@ -74,6 +80,17 @@ impl Ground {
             clipped(corners.map(|corner| corner.clip), sight.pixels(), |triangle| {
                 tile.draw(triangle, |quad| shade(sight, turf, growth, quad, &places, &normals));
             });
+        }
+    }
+}
+
+impl Ground {
+    /// Draws the outputs of what lies in a tile: the ground stays where it is.
+    pub(crate) fn trace(&self, tile: &mut Trace<'_>, index: usize) {
+        for triangle in self.bins.of(index) {
+            let corners = self.triangles[*triangle as usize].map(|at| self.points[at as usize]);
+            let trail = tile.trail(corners.map(|corner| corner.clip), corners.map(|corner| corner.place), 0);
+            tile.draw(&trail, |_| [true; 4]);
         }
     }
 }

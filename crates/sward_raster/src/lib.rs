@@ -18,6 +18,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod aov;
 mod bins;
 mod bodies;
 mod clumps;
@@ -30,6 +31,7 @@ mod sight;
 mod sky;
 mod studio;
 mod tile;
+mod trace;
 mod triangle;
 
 pub use studio::Studio;

@@ -5,6 +5,7 @@
 use glam::{Vec2, Vec3, Vec4};
 use sward::geometry::card::{CardRung, rung};
 use sward::math::smoothstep;
+use sward::picture::aov::COVERAGE;
 use sward::picture::frame::{FrameUniform, NEAR, SHADOW_SIDE};
 use sward::picture::plants::{MOST_CARDS, MOST_SEGMENTS, PLANTS_PER_INSTANCE, Plant};
 use sward::shading::common::patchwork;
@@ -17,6 +18,7 @@ use crate::leaves::{self, Leaf, LeafOf};
 use crate::shadows::{self, Cutout, ShadowTile, TILE, TILES};
 use crate::sight::Sight;
 use crate::tile::{self, Tile};
+use crate::trace::Trace;
 use crate::triangle::clipped;
 
 /// Plants looked at together while they are sorted into tiles.
@@ -60,13 +62,18 @@ impl Batch {
         self.joints.get(index * count..(index + 1) * count).unwrap_or(&[])
     }
 
+    /// How far a plant seen from `eye` is gone, 0 to 1.
+    fn gone(&self, eye: Vec3, plant: &Plant) -> f32 {
+        let [_, _, near, end] = self.style.mean;
+        let distance = Vec3::from(plant.root).distance(eye);
+        // Plants end at slightly different distances, so that no front is seen.
+        smoothstep(near, end, distance + (plant.tint - 0.5) * 0.3 * (end - near))
+    }
+
     /// How much of its size a plant keeps where plants end; `None` for one that is not drawn.
     fn keep(&self, sight: &Sight<'_>, plant: &Plant) -> Option<f32> {
-        let [_, _, near, end] = self.style.mean;
-        let distance = Vec3::from(plant.root).distance(sight.eye);
-        // Plants end at slightly different distances, so that no front is seen.
-        let gone = smoothstep(near, end, distance + (plant.tint - 0.5) * 0.3 * (end - near));
-        (plant.height > 0.0 && gone < 1.0).then_some(1.0 - 0.85 * gone)
+        let gone = self.gone(sight.eye, plant);
+        (plant.height > 0.0 && gone < 1.0).then_some(keep(gone))
     }
 
     /// The rungs of a card.
@@ -181,7 +188,8 @@ impl Batch {
         }
     }
 
-    fn draw_card(&self, sight: &Sight<'_>, tile: &mut Tile, of: &LeafOf<'_>, rungs: &[CardRung; MOST_JOINTS], flip: f32) {
+    /// The corners of a card, and their clip space.
+    fn corners(&self, sight: &Sight<'_>, rungs: &[CardRung; MOST_JOINTS], flip: f32) -> ([Leaf; 2 * MOST_JOINTS], [Vec4; 2 * MOST_JOINTS]) {
         let mut leaves = [Leaf::default(); 2 * MOST_JOINTS];
         let mut clips = [Vec4::ZERO; 2 * MOST_JOINTS];
         for corner in 0..2 * (self.segments() + 1) {
@@ -197,12 +205,42 @@ impl Batch {
                 air: None,
             };
         }
+        (leaves, clips)
+    }
+
+    /// Draws the outputs of what lies in a tile; `then`: the same plants as they were, seen from `before`.
+    pub(crate) fn trace(&self, sight: &Sight<'_>, clumps: &Clumps, tile: &mut Trace<'_>, which: &[u32], then: &Self) {
+        for &index in which {
+            let at = index as usize;
+            let (plant, was) = (&self.plants[at], &then.plants[at]);
+            let Some(kept) = self.keep(sight, plant) else { continue };
+            let (clump, before) = (clumps.layer(plant.layer), keep(then.gone(tile.before.eye.truncate(), was)));
+            for card in 0..self.cards() {
+                let (leaves, clips) = self.corners(sight, &self.card(plant, self.joints_of(at), card, kept), flip(plant));
+                let rungs = then.card(was, then.joints_of(at), card, before);
+                for three in triangles(self.segments()) {
+                    let corners = three.map(|corner| leaves[corner]);
+                    let was_at = three.map(|corner| rungs[corner / 2].corner((corner % 2) as f32 * 2.0 - 1.0));
+                    let trail = tile.trail(three.map(|corner| clips[corner]), was_at, was.layer);
+                    tile.draw(&trail, |quad| leaves::cover(sight, &self.style, clump, quad, &corners).map(|cover| cover >= COVERAGE));
+                }
+            }
+        }
+    }
+
+    fn draw_card(&self, sight: &Sight<'_>, tile: &mut Tile, of: &LeafOf<'_>, rungs: &[CardRung; MOST_JOINTS], flip: f32) {
+        let (mut leaves, clips) = self.corners(sight, rungs, flip);
         for three in triangles(self.segments()) {
             clipped(three.map(|corner| clips[corner]), sight.pixels(), |triangle| {
                 tile.draw(triangle, |quad| leaves::shade(sight, of, quad, &mut leaves, three));
             });
         }
     }
+}
+
+/// What the fading leaves of a plant's size.
+fn keep(gone: f32) -> f32 {
+    1.0 - 0.85 * gone
 }
 
 /// Two triangles per segment of a card; corner 2 k + s stands at joint k, on the left (0) or right (1).

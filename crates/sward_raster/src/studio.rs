@@ -1,17 +1,20 @@
 //! A world, drawn on the CPU.
 
-use std::borrow::Cow;
-
 use sward::geometry::mesh::Mesh;
 use sward::geometry::relief::Relief;
+use sward::growth::Near;
 use sward::picture::Picture;
-use sward::picture::frame::{FrameInput, FrameUniform};
+use sward::picture::aov::Aov;
+use sward::picture::frame::{BodyDraw, FrameUniform};
+use sward::picture::past::Past;
 use sward::picture::plan::{self, BatchPlan, Seen};
 use sward::picture::plants::Plant;
 use sward::picture::prepare::{PrepareUniform, Preparing};
 use sward::picture::subject::{self, Frame, SHADOW_REACH};
 use sward::response::continuum::NODE_CELLS;
 use sward::shading::look::{Look, Turf};
+use sward::state::PatchKey;
+use sward::wind::WindField;
 use sward::world::World;
 
 use crate::bins::Bins;
@@ -30,13 +33,13 @@ const LARGEST_SIDE: u32 = 16384;
 
 /// Draws a world.
 pub struct Studio {
-    looks: Vec<Look>,
+    pub(crate) looks: Vec<Look>,
     turf: Turf,
-    clumps: Clumps,
+    pub(crate) clumps: Clumps,
     relief: Relief,
     meshes: Vec<Mesh>,
     /// Mesh of each body; `None` for a shape without one.
-    mesh_of: Vec<Option<usize>>,
+    pub(crate) mesh_of: Vec<Option<usize>>,
 }
 
 impl Studio {
@@ -62,6 +65,25 @@ impl Studio {
 
     /// Draws the moment `behind` steps (0 to 1) before the state: see [`World::behind`].
     pub fn draw_before(&self, world: &World, behind: f64, size: [u32; 2]) -> Picture {
+        let moment = self.moment(world, behind, size);
+        let shadows = self.shadow_map(&moment.uniform, &moment.batches, &moment.bodies);
+        let sight = Sight::new(moment.uniform, moment.size, &shadows);
+        self.paint(&sight, &self.layout(&sight, &moment, world), &moment)
+    }
+
+    /// Draws the moment `behind` steps (0 to 1) before the state, and beside the picture depth, motion and plant of each pixel. Motion
+    /// leads to `past`: the moment of the picture before, or that of this one, and it is 0.
+    pub fn draw_aov(&self, world: &World, past: &Past, behind: f64, size: [u32; 2]) -> (Picture, Aov) {
+        let moment = self.moment(world, behind, size);
+        let shadows = self.shadow_map(&moment.uniform, &moment.batches, &moment.bodies);
+        let sight = Sight::new(moment.uniform, moment.size, &shadows);
+        let layout = self.layout(&sight, &moment, world);
+        let before = self.before(past, &moment);
+        (self.paint(&sight, &layout, &moment), self.trace(&sight, &layout, &moment, &before))
+    }
+
+    /// Everything of a picture but light and shadow.
+    fn moment(&self, world: &World, behind: f64, size: [u32; 2]) -> Moment {
         let size = size.map(|side| side.clamp(1, LARGEST_SIDE));
         let behind = behind.clamp(0.0, 1.0);
         let view = world.camera_before(behind);
@@ -69,49 +91,59 @@ impl Studio {
         let draws = subject::bodies(world, &frame, &self.mesh_of);
         let input = frame.input(world, &view, &draws);
         let uniform = FrameUniform::new(&input, self.relief.frame(input.origin), size, SHADOW_REACH);
-        let batches = self.prepare(world, &Seen { view: &view, origin, fullness: 1.0, behind });
-        // Bodies that play a clip have moved.
-        let mut meshes: Vec<Cow<'_, Mesh>> = self.meshes.iter().map(Cow::Borrowed).collect();
-        for (index, mesh) in self.mesh_of.iter().enumerate() {
-            if let (Some(mesh), Some(moved)) = (mesh, subject::moved(world, index, behind)) {
-                meshes[*mesh] = Cow::Owned(moved);
+        let camera = [input.view.position.x, input.view.position.z];
+        let growth = input.growth;
+        let (plans, batches) = self.prepare(world, &Seen { view: &view, origin, fullness: 1.0, behind });
+        let moved: Vec<Option<Mesh>> = (0..self.mesh_of.len()).map(|body| subject::moved(world, body, behind)).collect();
+        let bodies = Bodies::new(&self.posed(&moved), &draws);
+        Moment { size, frame, origin, uniform, camera, growth, plans, batches, draws, moved, bodies }
+    }
+
+    /// The meshes; those of bodies that play a clip have `moved`.
+    pub(crate) fn posed<'a>(&'a self, moved: &'a [Option<Mesh>]) -> Vec<&'a Mesh> {
+        let mut meshes: Vec<&Mesh> = self.meshes.iter().collect();
+        for (mesh, moved) in self.mesh_of.iter().zip(moved) {
+            if let (Some(mesh), Some(moved)) = (mesh, moved) {
+                meshes[*mesh] = moved;
             }
         }
-        let bodies = Bodies::new(&meshes, &draws);
-        let shadows = self.shadow_map(&uniform, &batches, &bodies);
-        let sight = Sight::new(uniform, size, &shadows);
-        self.paint(&sight, &input, &batches, &bodies)
+        meshes
     }
 
     /// Near plants of all stands, then plain ones: near to far.
-    fn prepare(&self, world: &World, seen: &Seen) -> Vec<Batch> {
+    fn prepare(&self, world: &World, seen: &Seen) -> (Vec<Drawn>, Vec<Batch>) {
         let stands = &world.model.stands;
         let share = world.scene.budget.visible_plants / (stands.len().max(1) as u32);
         let plan = |index: usize| plan::plan(world, index, seen, &self.looks[index], share);
         let plans: Vec<([BatchPlan; 2], f64)> = (0..stands.len()).map(plan).collect();
-        let mut batches = Vec::new();
+        let mut drawn = Vec::new();
         for plain in [false, true] {
-            for (index, (plans, fullness)) in plans.iter().enumerate() {
+            for (stand, (plans, fullness)) in plans.iter().enumerate() {
                 let plan = &plans[usize::from(plain)];
                 if plan.plants > 0 {
-                    batches.push(self.solve(world, index, plan, plain, &Seen { fullness: *fullness, ..*seen }));
+                    drawn.push((Drawn { stand, plain, plan: plan.clone() }, *fullness));
                 }
             }
         }
-        batches
+        let solve = |(drawn, fullness): &(Drawn, f64)| {
+            let (stand, seen) = (&world.model.stands[drawn.stand], Seen { fullness: *fullness, ..*seen });
+            let uniform = PrepareUniform::new(world, stand, drawn.plain, &seen, &self.looks[drawn.stand]);
+            self.solve(world, drawn.stand, &drawn.plan, uniform, &world.wind_before(stand, seen.behind))
+        };
+        let batches = drawn.iter().map(solve).collect();
+        (drawn.into_iter().map(|(drawn, _)| drawn).collect(), batches)
     }
 
-    fn solve(&self, world: &World, index: usize, plan: &BatchPlan, plain: bool, seen: &Seen) -> Batch {
+    /// Solves the plants of a batch.
+    pub(crate) fn solve(&self, world: &World, index: usize, plan: &BatchPlan, uniform: PrepareUniform, wind: &WindField) -> Batch {
         let stand = &world.model.stands[index];
-        let uniform = PrepareUniform::new(world, stand, plain, seen, &self.looks[index]);
         let per_plant = uniform.drawn as usize + 1;
-        let wind = world.wind_before(stand, seen.behind);
         let preparing = Preparing {
             uniform,
             cells: &world.state.stands[index].cells,
             terrain: &world.model.terrain,
             stand,
-            wind: &wind,
+            wind,
             intervals: stand.cells / NODE_CELLS,
         };
         let mut plants = vec![Plant::default(); plan.plants as usize];
@@ -144,32 +176,88 @@ impl Studio {
         ShadowMap::new(tiles)
     }
 
-    fn paint(&self, sight: &Sight<'_>, input: &FrameInput<'_>, batches: &[Batch], bodies: &Bodies) -> Picture {
-        let [width, height] = sight.size;
-        let [columns, rows] = sight.size.map(|side| side.div_ceil(SIDE) as usize);
-        let ground = Ground::new(sight, &self.relief, input, [columns, rows]);
-        let body_bins = bodies.bins(sight, [columns, rows]);
-        let bins: Vec<Bins> = batches.iter().map(|batch| batch.bins(sight, [columns, rows])).collect();
+    /// The ground's grid, and what lies in which tile.
+    fn layout(&self, sight: &Sight<'_>, moment: &Moment, world: &World) -> Layout {
+        let tiles = sight.size.map(|side| side.div_ceil(SIDE) as usize);
+        Layout {
+            tiles,
+            ground: Ground::new(sight, &self.relief, world.model.terrain.edits(), moment.frame.corner, moment.camera, tiles),
+            bodies: moment.bodies.bins(sight, tiles),
+            batches: moment.batches.iter().map(|batch| batch.bins(sight, tiles)).collect(),
+        }
+    }
+
+    fn paint(&self, sight: &Sight<'_>, layout: &Layout, moment: &Moment) -> Picture {
+        let [columns, rows] = layout.tiles;
         let tiles = each((0..columns * rows).collect(), |index| {
-            let mut tile = Tile::new([index % columns, index / columns].map(|at| (at * SIDE as usize) as i64));
+            let mut tile = Tile::new(layout.corner(index));
             // Near things first: what they hide is never shaded.
-            bodies.draw(sight, &mut tile, body_bins.of(index));
-            for (batch, bins) in batches.iter().zip(&bins) {
+            moment.bodies.draw(sight, &mut tile, layout.bodies.of(index));
+            for (batch, bins) in moment.batches.iter().zip(&layout.batches) {
                 batch.draw(sight, &self.clumps, &mut tile, bins.of(index));
             }
-            ground.draw(sight, &self.turf, &input.growth, &mut tile, index);
+            layout.ground.draw(sight, &self.turf, &moment.growth, &mut tile, index);
             sky::draw(sight, &mut tile);
-            tile.resolve(sight.frame.forward.w)
+            tile.resolve(sight.frame.forward.w).as_chunks::<4>().0.to_vec()
         });
-        let mut rgba8 = vec![255; 4 * width as usize * height as usize];
+        let [width, height] = sight.size;
+        Picture { width, height, rgba8: layout.join(&tiles, sight.size, [255; 4]).into_flattened() }
+    }
+}
+
+/// A batch of a picture.
+pub(crate) struct Drawn {
+    pub(crate) stand: usize,
+    pub(crate) plain: bool,
+    pub(crate) plan: BatchPlan,
+}
+
+/// Everything of a picture but light and shadow.
+pub(crate) struct Moment {
+    pub(crate) size: [u32; 2],
+    pub(crate) frame: Frame,
+    pub(crate) origin: PatchKey,
+    uniform: FrameUniform,
+    /// Ground position of the eye, m in frame space.
+    camera: [f32; 2],
+    /// What keeps the ground bare.
+    growth: Near,
+    /// What each of the batches is.
+    pub(crate) plans: Vec<Drawn>,
+    pub(crate) batches: Vec<Batch>,
+    pub(crate) draws: Vec<BodyDraw>,
+    /// Meshes of the bodies that play a clip.
+    pub(crate) moved: Vec<Option<Mesh>>,
+    pub(crate) bodies: Bodies,
+}
+
+/// What lies in which tile of a picture.
+pub(crate) struct Layout {
+    /// Columns and rows.
+    pub(crate) tiles: [usize; 2],
+    pub(crate) ground: Ground,
+    pub(crate) bodies: Bins,
+    pub(crate) batches: Vec<Bins>,
+}
+
+impl Layout {
+    /// First pixel of a tile.
+    pub(crate) fn corner(&self, index: usize) -> [i64; 2] {
+        [index % self.tiles[0], index / self.tiles[0]].map(|at| (at * SIDE as usize) as i64)
+    }
+
+    /// Puts the pixels of all tiles, each [`SIDE`]², together.
+    pub(crate) fn join<T: Copy>(&self, tiles: &[Vec<T>], size: [u32; 2], empty: T) -> Vec<T> {
+        let ([width, height], side) = (size.map(|side| side as usize), SIDE as usize);
+        let mut all = vec![empty; width * height];
         for (index, tile) in tiles.iter().enumerate() {
-            let [left, top] = [index % columns, index / columns].map(|at| at * SIDE as usize);
-            let across = (width as usize - left).min(SIDE as usize);
-            for (row, line) in tile.chunks_exact(4 * SIDE as usize).enumerate().take(height as usize - top) {
-                let to = 4 * ((top + row) * width as usize + left);
-                rgba8[to..to + 4 * across].copy_from_slice(&line[..4 * across]);
+            let [left, top] = self.corner(index).map(|at| at as usize);
+            let across = (width - left).min(side);
+            for (row, line) in tile.chunks_exact(side).enumerate().take(height - top) {
+                let to = (top + row) * width + left;
+                all[to..to + across].copy_from_slice(&line[..across]);
             }
         }
-        Picture { width, height, rgba8 }
+        all
     }
 }

@@ -10,6 +10,9 @@ pub(crate) const SIDE: u32 = 64;
 /// Quads along each side.
 const QUADS: usize = SIDE as usize / 2;
 
+/// Centres of the four pixels of a quad, 1/256 pixel.
+pub(crate) const CENTRES: [[i64; 2]; 4] = [[128, 128], [384, 128], [128, 384], [384, 384]];
+
 /// Two by two pixels under a triangle. Lanes: left to right, then down.
 pub(crate) struct Quad {
     /// Weights of the triangle's corners at the lanes' centres.
@@ -190,9 +193,9 @@ fn nearer(depths: &[f32; 16], stored: &[f32; 16]) -> u16 {
 
 /// Weights at the centres of the four pixels.
 #[inline]
-fn centres(triangle: &Triangle, edges: [i64; 3]) -> [Vec3; 4] {
+pub(crate) fn centres(triangle: &Triangle, edges: [i64; 3]) -> [Vec3; 4] {
     let mut weights = [Vec3::ZERO; 4];
-    for (lane, [x, y]) in [[128, 128], [384, 128], [128, 384], [384, 384]].into_iter().enumerate() {
+    for (lane, [x, y]) in CENTRES.into_iter().enumerate() {
         let mut at = [0.0; 3];
         for k in 0..3 {
             at[k] = (edges[k] + triangle.a[k] * x + triangle.b[k] * y) as f32;

@@ -5,6 +5,7 @@
 pub mod compare;
 pub mod compute;
 pub mod gpu;
+mod past;
 pub mod picture;
 pub mod render;
 pub mod stopwatch;

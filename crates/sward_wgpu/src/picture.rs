@@ -1,13 +1,16 @@
-//! A picture of a scene, without a window: shadow pass, main pass, resolve, read-back.
+//! A picture of a scene, without a window: shadow pass, main pass, resolve, read-back; and outputs beside it where they are asked for.
 
+pub use crate::render::aov::Before;
 use sward::geometry::mesh::Mesh;
 use sward::geometry::relief::Relief;
 pub use sward::picture::Picture;
+use sward::picture::aov::Aov;
 use sward::picture::frame::{FrameInput, FrameUniform};
 use sward::picture::subject::SHADOW_REACH;
 use sward::shading::look::{Look, Turf};
 
 use crate::gpu::{Gpu, GpuError};
+use crate::render::aov::{AovPass, Drawn};
 use crate::render::bodies::BodyPass;
 use crate::render::ground::GroundPass;
 use crate::render::plant_pass::PlantPass;
@@ -44,6 +47,8 @@ pub struct Renderer {
     plants: PlantPass,
     resolve: Resolve,
     targets: Option<Targets>,
+    /// Made when outputs beside a picture are first asked for.
+    aov: Option<AovPass>,
     relief: Relief,
     shadow_reach: f32,
     /// Times the passes of the pictures while there is one.
@@ -73,6 +78,7 @@ impl Renderer {
             plants: PlantPass::new(gpu, &looks),
             resolve: Resolve::new(gpu),
             targets: None,
+            aov: None,
             relief: {
                 relief.heights = Vec::new();
                 relief
@@ -101,8 +107,33 @@ impl Renderer {
     /// # Errors
     /// What the device reports.
     pub fn draw(&mut self, gpu: &Gpu, input: &FrameInput<'_>, plants: &PlantDraws<'_>, size: [u32; 2]) -> Result<(), GpuError> {
-        let most = gpu.device.limits().max_texture_dimension_2d;
-        let size = size.map(|side| side.clamp(1, most));
+        self.draw_all(gpu, input, plants, None, size)
+    }
+
+    /// As [`Renderer::draw`], and depth, motion and plant of each pixel beside it, which [`Renderer::read_aov`] reads.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn draw_aov(
+        &mut self,
+        gpu: &Gpu,
+        input: &FrameInput<'_>,
+        plants: &PlantDraws<'_>,
+        before: &Before<'_>,
+        size: [u32; 2],
+    ) -> Result<(), GpuError> {
+        self.draw_all(gpu, input, plants, Some(before), size)
+    }
+
+    fn draw_all(
+        &mut self,
+        gpu: &Gpu,
+        input: &FrameInput<'_>,
+        plants: &PlantDraws<'_>,
+        before: Option<&Before<'_>>,
+        size: [u32; 2],
+    ) -> Result<(), GpuError> {
+        let size = fitting(gpu, size);
         let uniform = FrameUniform::new(input, self.relief.frame(input.origin), size, self.shadow_reach);
         gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
         self.ground.place(gpu, [input.view.position.x, input.view.position.z], input.origin);
@@ -147,7 +178,20 @@ impl Renderer {
         }
         gpu.queue.submit([encoder.finish()]);
         self.targets = Some(targets);
+        if let Some(before) = before {
+            let Self { frame, ground, bodies, plants, .. } = self;
+            let pass = self.aov.get_or_insert_with(|| AovPass::new(gpu, frame, bodies));
+            pass.draw(gpu, &Drawn { frame, ground, bodies, plants, ready: &ready }, before, size);
+        }
         gpu.check()
+    }
+
+    /// Reads the last outputs beside a picture back; empty ones if none were drawn.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn read_aov(&self, gpu: &Gpu) -> Result<Aov, GpuError> {
+        self.aov.as_ref().map_or_else(|| Ok(Aov::default()), |pass| pass.read(gpu))
     }
 
     /// Reads the last picture back; an empty one if nothing was drawn.
@@ -180,4 +224,10 @@ impl Renderer {
         let rgba8 = gpu.mapped(&buffer, buffer.size(), Some(submission), lines)?;
         Ok(Picture { width, height, rgba8 })
     }
+}
+
+/// The size of a picture that the device can draw, nearest to the one asked for.
+pub(crate) fn fitting(gpu: &Gpu, size: [u32; 2]) -> [u32; 2] {
+    let most = gpu.device.limits().max_texture_dimension_2d;
+    size.map(|side| side.clamp(1, most))
 }

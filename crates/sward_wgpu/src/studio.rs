@@ -1,15 +1,19 @@
 //! A world, drawn: prepares the visible plants and hands everything to the renderer.
 
-use sward::picture::plan::{Seen, plan};
+use sward::picture::aov::Aov;
+use sward::picture::plan::{BatchPlan, Seen, plan};
 use sward::picture::subject::{self, Frame};
 use sward::scene::Precision;
 use sward::shading::look::Look;
+use sward::state::PatchKey;
+use sward::view::View;
 use sward::world::World;
 
 use crate::compute::GpuStep;
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::{Gpu, GpuError};
-use crate::picture::{Picture, Renderer, Setup};
+use crate::past::KeptPast;
+use crate::picture::{self, Before, Picture, Renderer, Setup};
 use crate::render::growth_maps::GrowthMaps;
 use crate::render::plants::{PlantBatch, PlantCount, PlantDraws};
 use crate::render::prepare::{BatchBuffers, PreparePass};
@@ -36,6 +40,17 @@ pub struct Studio {
     growth: Vec<GrowthMaps>,
     /// Cells uploaded from the CPU, per stand.
     uploaded: Vec<CellBuffers>,
+    /// The picture before; where outputs beside pictures are asked for.
+    past: Option<KeptPast>,
+}
+
+/// A picture's moment, made ready.
+struct Ready {
+    frame: Frame,
+    origin: PatchKey,
+    view: View,
+    /// Near and plain plants of each stand.
+    plans: Vec<[BatchPlan; 2]>,
 }
 
 impl Studio {
@@ -51,7 +66,7 @@ impl Studio {
         let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand, Precision::Full)).collect();
         let batches = world.model.stands.iter().map(|_| Default::default()).collect();
         let growth = world.model.stands.iter().map(|stand| GrowthMaps::new(gpu, stand)).collect();
-        let studio = Self { renderer, prepare: PreparePass::new(gpu, world), looks, meshes, batches, growth, uploaded };
+        let studio = Self { renderer, prepare: PreparePass::new(gpu, world), looks, meshes, batches, growth, uploaded, past: None };
         gpu.check()?;
         Ok(studio)
     }
@@ -70,6 +85,67 @@ impl Studio {
     /// What the device reports.
     pub fn draw_before(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64, size: [u32; 2]) -> Result<Picture, GpuError> {
         gpu.check()?;
+        let ready = self.ready(gpu, world, &cells, behind)?;
+        let bodies = subject::bodies(world, &ready.frame, &self.meshes);
+        let input = ready.frame.input(world, &ready.view, &bodies);
+        self.renderer.draw(gpu, &input, &PlantDraws { batches: &drawn(&self.batches, world, &ready.plans) }, size)?;
+        self.renderer.read(gpu)
+    }
+
+    /// Draws the moment `behind` steps (0 to 1) before the state, and beside the picture depth, motion and plant of each pixel.
+    ///
+    /// Motion leads to the moment of the last call of this function or of [`Studio::remember`]; the first one's is 0. Until the first
+    /// call none of it costs anything; from then on a copy of the world and of its cells is kept.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn draw_aov(
+        &mut self,
+        gpu: &Gpu,
+        world: &World,
+        cells: CellsAt<'_>,
+        behind: f64,
+        size: [u32; 2],
+    ) -> Result<(Picture, Aov), GpuError> {
+        let size = picture::fitting(gpu, size);
+        let mut past = match self.past.take() {
+            Some(past) => past,
+            None => KeptPast::new(gpu, world, &cells, behind)?,
+        };
+        let ready = self.ready(gpu, world, &cells, behind)?;
+        let bodies = subject::bodies(world, &ready.frame, &self.meshes);
+        let input = ready.frame.input(world, &ready.view, &bodies);
+        past.prepare(gpu, &self.prepare, ready.origin, &ready.plans, &self.growth);
+        let before = Before {
+            camera: past.moment.camera(&ready.frame, size),
+            bodies: &past.moment.bodies(&ready.frame, &bodies, &self.meshes),
+            meshes: &past.meshes(&self.meshes),
+            plants: &past.plants(&ready.plans),
+        };
+        self.renderer.draw_aov(gpu, &input, &PlantDraws { batches: &drawn(&self.batches, world, &ready.plans) }, &before, size)?;
+        let images = (self.renderer.read(gpu)?, self.renderer.read_aov(gpu)?);
+        past.keep(gpu, world, &cells, behind)?;
+        self.past = Some(past);
+        Ok(images)
+    }
+
+    /// Makes the moment `behind` steps (0 to 1) before the state the one that the motion of the next [`Studio::draw_aov`] leads to,
+    /// without drawing it.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn remember(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64) -> Result<(), GpuError> {
+        match &mut self.past {
+            Some(past) => past.keep(gpu, world, &cells, behind),
+            None => {
+                self.past = Some(KeptPast::new(gpu, world, &cells, behind)?);
+                Ok(())
+            }
+        }
+    }
+
+    /// Brings cells, bodies and plants to the moment of a picture.
+    fn ready(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>, behind: f64) -> Result<Ready, GpuError> {
         if matches!(cells, CellsAt::Cpu) {
             for ((buffers, state), stand) in self.uploaded.iter_mut().zip(&world.state.stands).zip(&world.model.stands) {
                 buffers.reserve(gpu, state, stand.is_level(&world.model.terrain))?;
@@ -80,23 +156,8 @@ impl Studio {
         self.pose_figures(gpu, world, behind);
         let view = world.camera_before(behind);
         let (frame, origin) = Frame::of(world, &view, behind);
-        let plans = self.prepare_plants(gpu, world, &cells, &Seen { view: &view, origin, fullness: 1.0, behind });
-        let mut batches = Vec::new();
-        // Near plants of all stands, then plain ones: near to far.
-        for plain in 0..2 {
-            for (index, plan) in plans.iter().enumerate() {
-                if let Some((plants, joints)) = self.batches[index][plain].filled.as_ref().filter(|_| plan[plain] > 0) {
-                    let billboard = &world.model.stands[index].species.billboard;
-                    let segments = if plain == 1 { 1 } else { billboard.segments };
-                    let count = PlantCount::Direct(plan[plain]);
-                    batches.push(PlantBatch { plants, joints, count, segments, cards: billboard.cards, look: index, shadows: true });
-                }
-            }
-        }
-        let bodies = subject::bodies(world, &frame, &self.meshes);
-        let input = frame.input(world, &view, &bodies);
-        self.renderer.draw(gpu, &input, &PlantDraws { batches: &batches }, size)?;
-        self.renderer.read(gpu)
+        let plans = self.prepare_plants(gpu, world, cells, &Seen { view: &view, origin, fullness: 1.0, behind });
+        Ok(Ready { frame, origin, view, plans })
     }
 
     /// Times the passes of the pictures while there is one.
@@ -109,8 +170,8 @@ impl Studio {
         self.batches.get(stand)
     }
 
-    /// Fills the batches; returns the number of plants in each.
-    fn prepare_plants(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt, seen: &Seen) -> Vec<[u32; 2]> {
+    /// Fills the batches; returns what they hold.
+    fn prepare_plants(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt, seen: &Seen) -> Vec<[BatchPlan; 2]> {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         self.prepare.follow(gpu, world);
         let share = world.scene.budget.visible_plants / (world.model.stands.len().max(1) as u32);
@@ -142,7 +203,7 @@ impl Studio {
                     self.renderer.stopwatch.as_mut(),
                 );
             }
-            filled.push([plans[0].plants, plans[1].plants]);
+            filled.push(plans);
         }
         gpu.queue.submit([encoder.finish()]);
         filled
@@ -156,4 +217,22 @@ impl Studio {
             }
         }
     }
+}
+
+/// Batches that hold plants, as (stand, 0 near or 1 plain), in the order they are drawn.
+pub(crate) fn batch_order(plans: &[[BatchPlan; 2]]) -> impl Iterator<Item = (usize, usize)> {
+    (0..2).flat_map(|plain| (0..plans.len()).map(move |index| (index, plain))).filter(|(index, plain)| plans[*index][*plain].plants > 0)
+}
+
+/// What is drawn of the plants made ready: near plants of all stands, then plain ones, near to far.
+fn drawn<'a>(batches: &'a [[BatchBuffers; 2]], world: &World, plans: &[[BatchPlan; 2]]) -> Vec<PlantBatch<'a>> {
+    let mut draws = Vec::new();
+    for (index, plain) in batch_order(plans) {
+        let Some((plants, joints)) = &batches[index][plain].filled else { continue };
+        let billboard = &world.model.stands[index].species.billboard;
+        let segments = if plain == 1 { 1 } else { billboard.segments };
+        let count = PlantCount::Direct(plans[index][plain].plants);
+        draws.push(PlantBatch { plants, joints, count, segments, cards: billboard.cards, look: index, shadows: true });
+    }
+    draws
 }

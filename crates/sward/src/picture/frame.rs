@@ -32,6 +32,13 @@ impl View {
         let axes = glam::Mat3::from_cols(right, right.cross(ahead), -ahead);
         Self { position: eye, rotation: Quat::from_mat3(&axes), field_of_view }
     }
+
+    /// Frame space to clip space of a picture of `size` pixels; depth 1 at the near plane, 0 at infinity.
+    pub fn projection(&self, size: [u32; 2]) -> Mat4 {
+        let aspect = size[0].max(1) as f32 / size[1].max(1) as f32;
+        let turn = Mat4::from_rotation_translation(self.rotation, self.position).inverse();
+        Mat4::perspective_infinite_reverse_rh(self.field_of_view, aspect, NEAR) * turn
+    }
 }
 
 /// Sun and air.
@@ -70,6 +77,8 @@ pub struct BodyDraw {
     pub paint: [f32; 3],
     /// Height of the ground under the body, metres.
     pub ground: f32,
+    /// Number of the body in the scene, from 1.
+    pub number: u32,
 }
 
 /// Everything a picture depends on, except its plants.
@@ -144,13 +153,11 @@ impl FrameUniform {
         let half = (0.5 * view.field_of_view).tan();
         let aspect = size[0].max(1) as f32 / size[1].max(1) as f32;
         let (right, up, ahead) = (view.rotation * Vec3::X, view.rotation * Vec3::Y, view.rotation * Vec3::NEG_Z);
-        let turn = Mat4::from_rotation_translation(view.rotation, view.position).inverse();
-        let projection = Mat4::perspective_infinite_reverse_rh(view.field_of_view, aspect, NEAR);
         let phase = DVec2::from(input.origin).rem_euclid(DVec2::splat(PERIOD)).as_vec2();
         let edits = input.terrain.edits().frame(input.origin);
         let drift = (input.time * 0.002).rem_euclid(256.0) as f32;
         Self {
-            view_projection: projection * turn,
+            view_projection: view.projection(size),
             shadow: shadow_matrix(input.focus, sun.sun, shadow_reach),
             right: (right * half * aspect).extend(2.0 * half / size[1].max(1) as f32),
             up: (up * half).extend(input.time.rem_euclid(4096.0) as f32),

@@ -2,8 +2,12 @@
 //!
 //! `sward_wgpu` and `sward_raster` both draw from it: [`plan`] decides which patches are seen, [`prepare`] solves each visible plant
 //! once (on a GPU `prepare.wgsl` does), [`frame`] lays out camera, light and shadow map, [`subject`] gives looks, meshes and poses.
+//! Beside a picture there may be outputs of each pixel, [`aov`], for which [`past`] remembers the picture before.
 
+pub mod aov;
 pub mod frame;
+pub mod identity;
+pub mod past;
 pub mod plan;
 pub mod plants;
 pub mod prepare;

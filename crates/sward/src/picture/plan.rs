@@ -44,7 +44,7 @@ pub struct PatchDraw {
 }
 
 /// The patches of one batch: same stand, same number of drawn segments.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct BatchPlan {
     /// Near to far.
     pub draws: Vec<PatchDraw>,
@@ -149,6 +149,15 @@ pub fn plan(world: &World, index: usize, seen: &Seen, look: &Look, share: u32) -
         batch.plants += count;
     }
     (batches, fullness)
+}
+
+/// The places of a batch, in a world of another moment: the same patches, numbers and order, with that moment's cells.
+pub fn plan_then(then: &World, index: usize, origin: PatchKey, now: &BatchPlan) -> BatchPlan {
+    let draws = now
+        .draws
+        .iter()
+        .map(|now| PatchDraw { growth: now.growth, ..draw(then, &then.state.stands[index], now.patch, origin, now.first, now.count) });
+    BatchPlan { draws: draws.collect(), plants: now.plants }
 }
 
 fn draw(world: &World, state: &StandState, patch: PatchKey, origin: PatchKey, first: u32, count: u32) -> PatchDraw {

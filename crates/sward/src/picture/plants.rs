@@ -21,6 +21,6 @@ pub struct Plant {
     pub width: f32,
     /// Chance number in 0..1 for colour and variety.
     pub tint: f32,
-    /// Layer of the clump pictures.
+    /// Layer of the clump pictures; of a plant in the picture before, its number ([`super::identity`]).
     pub layer: u32,
 }

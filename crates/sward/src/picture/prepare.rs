@@ -5,6 +5,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 
+use super::identity;
 use super::plan::{FULL_CELLS, PatchDraw, Seen, THINNING, bits};
 use super::plants::Plant;
 use crate::geometry::billboard::{CLEARANCE, earlier, segment};
@@ -54,6 +55,8 @@ pub struct PrepareUniform {
     pub substeps: f32,
     /// Gains of `billboard_earlier`.
     pub lag: [f32; 4],
+    /// Of the picture before, for the plants of this one: [`super::identity::Identity::of_stand`]; all 0 in a picture's own preparing.
+    pub identity: [u32; 4],
 }
 
 impl PrepareUniform {
@@ -84,6 +87,7 @@ impl PrepareUniform {
             behind: behind as f32,
             substeps: stand.substeps as f32,
             lag: stand.lag.past(),
+            identity: [0; 4],
         }
     }
 }
@@ -205,20 +209,23 @@ impl Preparing<'_> {
         let thin = (prepare.full / away.max(1e-3)).powf(THINNING).min(1.0) * prepare.fullness;
         let place = (rank as f32 + 0.5) / (1_u32 << (2 * prepare.bits)) as f32;
         let stay = ((thin - place) / (0.12 * thin)).clamp(0.0, 1.0);
-        if stay <= 0.0 || away >= prepare.gone {
+        let then = prepare.identity[2] > 0;
+        // The picture before may have left out what this one shows: its smallest form then.
+        if !then && (stay <= 0.0 || away >= prepare.gone) {
             return None;
         }
         let height = placed.height * (0.35 + (1.0 - 0.35) * stay);
         let straight = if prepare.plain > 0.0 { math::smoothstep(0.75 * prepare.plain, 0.97 * prepare.plain, away) } else { 0.0 };
         self.spine(draw, phases, placed.root, [ground, height, straight], joints);
         let chance = (placed.tint * 61.7).fract();
+        let picture = prepare.layer + ((chance * VARIANTS as f32) as u32).min(VARIANTS - 1);
         Some(Plant {
             root: root.to_array(),
             height,
             yaw: placed.yaw,
             width: prepare.width * (0.8 + 0.4 * (placed.tint * 17.3).fract()) * (1.0 / thin.sqrt()).min(2.2) * (0.5 + 0.5 * stay),
             tint: placed.tint,
-            layer: prepare.layer + ((chance * VARIANTS as f32) as u32).min(VARIANTS - 1),
+            layer: if then { identity::number(prepare.identity, draw.patch, cell[1] * prepare.placement.cells + cell[0]) } else { picture },
         })
     }
 

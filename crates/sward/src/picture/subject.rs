@@ -69,7 +69,8 @@ pub fn bodies(world: &World, frame: &Frame, meshes: &[Option<usize>]) -> Vec<Bod
     for (index, mesh) in meshes.iter().enumerate() {
         if let (Some(mesh), Some(pose)) = (mesh, world.pose_before(index, frame.behind)) {
             let ground = world.model.terrain.height_at(pose.ground[0], pose.ground[1]) as f32;
-            draws.push(BodyDraw { mesh: *mesh, transform: frame.transform(&pose), paint: PAINTS[index % PAINTS.len()], ground });
+            let (transform, paint) = (frame.transform(&pose), PAINTS[index % PAINTS.len()]);
+            draws.push(BodyDraw { mesh: *mesh, transform, paint, ground, number: index as u32 + 1 });
         }
     }
     draws
@@ -125,6 +126,11 @@ impl Frame {
         Near::of(shown.iter().map(|(index, _)| &*limits[*index]), self.corner, square)
     }
 
+    /// A camera in this frame.
+    pub fn view(&self, view: &View) -> frame::View {
+        frame::View::looking_at(self.point(view.eye), self.point(view.target), view.field_of_view as f32)
+    }
+
     /// Everything of the picture but its plants.
     pub fn input<'a>(&self, world: &'a World, view: &View, bodies: &'a [BodyDraw]) -> FrameInput<'a> {
         let light = &world.scene.light;
@@ -134,7 +140,7 @@ impl Frame {
         let at = [f64::from(eye.x + ahead.x) + self.corner[0], f64::from(eye.z + ahead.z) + self.corner[1]];
         let ground = world.model.terrain.height_at(at[0], at[1]);
         FrameInput {
-            view: frame::View::looking_at(eye, target, view.field_of_view as f32),
+            view: self.view(view),
             origin: self.corner,
             focus: self.point([at[0], ground, at[1]]),
             light: LightInput {

@@ -26,10 +26,11 @@ const RATE: u32 = 24;
 /// Makes the clip that was asked for.
 pub(crate) fn run(arguments: &arguments::Render, opened: &Opened, console: &Console) -> Result<(), Failure> {
     let Wanted { file, folder, frames, rate } = Wanted::new(arguments, opened)?;
-    let settings = Settings::new(opened, arguments.size, rate);
+    let settings = Settings::new(opened, arguments.size, rate, None);
     let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every(), arguments.resume)?;
     let shots = render::shots(opened, frames, rate, &folder);
-    let drawn = render::draw(opened, &shots, Some((folder.clone(), checkpoint)), arguments.size, (arguments.on, arguments.draw), console)?;
+    let (world, sequence) = (opened.world()?, Some((folder.clone(), checkpoint)));
+    let drawn = render::draw(world, &shots, sequence, None, arguments.size, (arguments.on, arguments.draw), console)?;
     let begun = Instant::now();
     let paths: Vec<&Path> = shots.iter().map(render::Shot::path).collect();
     film::write(&paths, arguments.size, rate, (&folder, &file), console)?;

@@ -31,15 +31,21 @@ pub(super) struct Wanted {
 /// # Errors
 /// What was typed contradicts itself.
 pub(crate) fn is_wanted(arguments: &arguments::Render, opened: &Opened) -> Result<bool, Failure> {
-    if arguments.clip || arguments.output.as_deref().is_some_and(|path| output::ends_in(path, "mp4") && !path.is_dir()) {
-        return Ok(true);
-    }
     let name = &opened.name;
+    if arguments.clip || arguments.output.as_deref().is_some_and(|path| output::ends_in(path, "mp4") && !path.is_dir()) {
+        if arguments.aov.is_empty() {
+            return Ok(true);
+        }
+        let help = format!("type --frames A..B -o {name}_frames/ for frames with outputs beside them");
+        return Err(Failure::input("--aov writes beside pictures, and a clip keeps none", help));
+    }
     if arguments.seconds.is_some() {
         let help = format!("type -o {name}.mp4 for a clip, or --frames A..B for a folder of frames");
         return Err(Failure::input("--seconds is the length of a clip, and none was asked for", help));
     }
-    let alone = [("--fps", arguments.fps.is_some()), ("--resume", arguments.resume), ("--save-every", arguments.save_every.is_some())];
+    // One picture with motion has a frame before it, too.
+    let paced = arguments.fps.is_some() && arguments.aov.is_empty();
+    let alone = [("--fps", paced), ("--resume", arguments.resume), ("--save-every", arguments.save_every.is_some())];
     if arguments.frames.is_none()
         && let Some((option, _)) = alone.iter().find(|(_, given)| *given)
     {

@@ -18,8 +18,9 @@ pub(crate) fn run(console: &Console) -> Result<(), Failure> {
     let opened = scenes::open(SCENE)?;
     let path = PathBuf::from(format!("{SCENE}.png"));
     crate::output::picture(Some(&path), SCENE)?;
-    let shot = render::single(&opened, None, path.clone());
-    let done = render::draw(&opened, &[shot], None, SIZE, (Where::Auto, Draw::Auto), console)?;
+    let shot = render::single(&opened, None, 30, path.clone());
+    let world = opened.world()?;
+    let done = render::draw(world, &[shot], None, None, SIZE, (Where::Auto, Draw::Auto), console)?;
     let place = std::path::absolute(&path).unwrap_or(path);
     let [width, height] = SIZE;
     console.summary(&format!(

@@ -11,6 +11,7 @@ use image::{ExtendedColorType, ImageEncoder};
 use sward::picture::Picture;
 use sward::world::World;
 
+use crate::aov::{Memory, Outputs};
 use crate::arguments::{self, Draw, Where};
 use crate::artist::{self, Artist};
 use crate::backend::Backend;
@@ -31,8 +32,20 @@ pub(crate) struct Shot {
     step: u64,
     /// How much of a step the moment lies before it.
     behind: f64,
+    /// The moment of the frame before, likewise; of the first frame, its own.
+    before: (u64, f64),
     /// Where it goes.
     path: PathBuf,
+    /// Where its outputs of each pixel go.
+    beside: Vec<PathBuf>,
+}
+
+impl Shot {
+    /// A picture at a moment given in steps, as is that of the frame before.
+    fn new(steps: f64, before: f64, path: PathBuf) -> Self {
+        let (step, behind) = moment(steps);
+        Self { step, behind, before: moment(before), path, beside: Vec::new() }
+    }
 }
 
 impl Shot {
@@ -68,22 +81,27 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
         return clip::run(arguments, &opened, console);
     }
     let rate = opened.scene.steps_per_second;
-    let (shots, sequence, place) = match &arguments.frames {
+    let world = opened.world()?;
+    let outputs = Outputs::new(&arguments.aov, arguments.aov_format, &world)?;
+    let (mut shots, sequence, place) = match &arguments.frames {
         None => {
             let path = output::picture(arguments.output.as_deref(), &opened.name)?;
-            let shot = single(&opened, arguments.time, path.clone());
+            let shot = single(&opened, arguments.time, arguments.fps.unwrap_or(RATE), path.clone());
             (vec![shot], None, path)
         }
         Some(frames) => {
             let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}_frames", opened.name)));
             output::folder(&folder, true)?;
             let fps = arguments.fps.unwrap_or(RATE);
-            let settings = Settings::new(&opened, arguments.size, fps);
+            let settings = Settings::new(&opened, arguments.size, fps, outputs.as_ref());
             let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every(), arguments.resume)?;
             (shots(&opened, frames.clone(), fps, &folder), Some((folder.clone(), checkpoint)), folder)
         }
     };
-    let done = draw(&opened, &shots, sequence, arguments.size, (arguments.on, arguments.draw), console)?;
+    if let Some(outputs) = &outputs {
+        shots.iter_mut().for_each(|shot| shot.beside = outputs.paths(&shot.path));
+    }
+    let done = draw(world, &shots, sequence, outputs.as_ref(), arguments.size, (arguments.on, arguments.draw), console)?;
     let [width, height] = arguments.size;
     let what = match (shots.len(), shots.last()) {
         (1, Some(shot)) => format!("at {:.2} s", (shot.step as f64 - shot.behind) / f64::from(rate)),
@@ -93,19 +111,18 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
     console.summary(&format!("{place}: {}, {what}, {width}x{height}; simulated on {on}, drawn on {artist} in {seconds:.1} s", opened.name))
 }
 
-/// One picture at `time` in seconds, or at the scene's own moment.
-pub(crate) fn single(opened: &Opened, time: Option<f64>, path: PathBuf) -> Shot {
-    let (step, behind) = moment(time.unwrap_or(opened.time) * f64::from(opened.scene.steps_per_second));
-    Shot { step, behind, path }
+/// One picture at `time` in seconds, or at the scene's own moment; the frame before would be one of `fps`.
+pub(crate) fn single(opened: &Opened, time: Option<f64>, fps: u32, path: PathBuf) -> Shot {
+    let rate = f64::from(opened.scene.steps_per_second);
+    let steps = time.unwrap_or(opened.time) * rate;
+    Shot::new(steps, (steps - rate / f64::from(fps)).max(0.0), path)
 }
 
 /// The frames of a sequence, in order of time.
 pub(crate) fn shots(opened: &Opened, frames: Range<u32>, fps: u32, folder: &Path) -> Vec<Shot> {
     let rate = opened.scene.steps_per_second;
-    let shot = |frame| {
-        let (step, behind) = moment(f64::from(frame) * f64::from(rate) / f64::from(fps));
-        Shot { step, behind, path: folder.join(format!("frame_{frame:04}.png")) }
-    };
+    let steps = |frame: u32| f64::from(frame) * f64::from(rate) / f64::from(fps);
+    let shot = |frame: u32| Shot::new(steps(frame), steps(frame.saturating_sub(1)), folder.join(format!("frame_{frame:04}.png")));
     frames.map(shot).collect()
 }
 
@@ -118,20 +135,22 @@ fn moment(steps: f64) -> (u64, f64) {
 
 /// Takes the shots, which are in order of time. Makes the folder of a sequence once everything that can be checked has been.
 pub(crate) fn draw(
-    opened: &Opened,
+    mut world: World,
     shots: &[Shot],
     sequence: Option<(PathBuf, Checkpoint)>,
+    outputs: Option<&Outputs>,
     size: [u32; 2],
     (on, draw): (Where, Draw),
     console: &Console,
 ) -> Result<Done, Failure> {
     let begun = Instant::now();
-    let mut world = opened.world()?;
     let gpu = artist::adapter(draw, on, console)?;
     let mut artist = Artist::choose(draw, gpu.as_ref(), &world, size)?;
-    let missing: Vec<&Shot> = shots.iter().filter(|shot| !sequence.as_ref().is_some_and(|(_, kept)| kept.has(&shot.path))).collect();
+    let files = |shot: &'_ Shot| [std::slice::from_ref(&shot.path), &shot.beside].concat();
+    let missing: Vec<&Shot> =
+        shots.iter().filter(|shot| !sequence.as_ref().is_some_and(|(_, kept)| kept.has(files(shot).iter()))).collect();
     if let (Some((_, checkpoint)), Some(first)) = (&sequence, missing.first()) {
-        checkpoint.restore(&mut world, first.step)?;
+        checkpoint.restore(&mut world, if outputs.is_some() { first.before.0 } else { first.step })?;
     }
     let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
     let mut checkpoint = match sequence {
@@ -144,9 +163,25 @@ pub(crate) fn draw(
     };
     let steps = missing.last().map_or(0, |shot| shot.step.saturating_sub(world.state.step));
     let mut progress = Progress::new(steps + missing.len() as u64, "steps and pictures", console);
+    let (mut memory, mut remembered) = (Memory::default(), None);
     for shot in &missing {
+        if outputs.is_some() && remembered != Some(shot.before) {
+            advance_to(&mut world, shot.before.0, &mut backend, &mut progress)?;
+            artist.remember(&mut memory, &mut world, &mut backend, shot.before.1)?;
+        }
         advance_to(&mut world, shot.step, &mut backend, &mut progress)?;
-        let picture = artist.draw(&mut world, &mut backend, shot.behind, size)?;
+        let picture = match outputs {
+            None => artist.draw(&mut world, &mut backend, shot.behind, size)?,
+            Some(outputs) => {
+                let (picture, aov) = artist.draw_aov(&mut memory, &mut world, &mut backend, shot.behind, size)?;
+                outputs.write(&shot.path, &aov)?;
+                if checkpoint.is_none() {
+                    outputs.describe(&shot.path)?;
+                }
+                picture
+            }
+        };
+        remembered = Some((shot.step, shot.behind));
         output::write_whole(&shot.path, |writer| write_png(writer, &picture))?;
         if let Some(checkpoint) = &mut checkpoint {
             checkpoint.save(&mut world, &mut backend)?;

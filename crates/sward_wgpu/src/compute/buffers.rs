@@ -153,6 +153,19 @@ impl CellBuffers {
         Ok(true)
     }
 
+    /// Becomes a copy of what a picture reads of `other`: both time levels and the upper segments.
+    pub fn copy_from(&mut self, gpu: &Gpu, other: &Self) {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let pairs = [(&mut self.now, &other.now), (&mut self.old, &other.old), (&mut self.upper, &other.upper)];
+        for (own, from) in pairs {
+            if own.size() != from.size() {
+                *own = storage(gpu, "cells of the picture before", from.size() / 4);
+            }
+            encoder.copy_buffer_to_buffer(from, 0, own, 0, Some(from.size()));
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
     /// The two time levels change roles.
     pub fn swap(&mut self) {
         std::mem::swap(&mut self.now, &mut self.old);

@@ -13,6 +13,13 @@ pub const PARTS: [&str; 2] = [super::SHADOWS_WGSL, include_str!("bodies.wgsl")];
 /// Most bodies in one picture; further ones are not drawn.
 pub const MOST: usize = 1024;
 
+/// [`Vertex`].
+pub(crate) const VERTICES: wgpu::VertexBufferLayout<'_> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<Vertex>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x2],
+};
+
 /// `Body` of `bodies.wgsl`.
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
@@ -21,10 +28,10 @@ struct BodyInstance {
     paint: [f32; 4],
 }
 
-struct MeshBuffers {
-    vertices: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    count: u32,
+pub(crate) struct MeshBuffers {
+    pub(crate) vertices: wgpu::Buffer,
+    pub(crate) indices: wgpu::Buffer,
+    pub(crate) count: u32,
 }
 
 pub(crate) struct BodyPass {
@@ -32,10 +39,11 @@ pub(crate) struct BodyPass {
     shadow: wgpu::RenderPipeline,
     main_bindings: wgpu::BindGroup,
     shadow_bindings: wgpu::BindGroup,
-    instances: wgpu::Buffer,
-    meshes: Vec<MeshBuffers>,
+    /// `bodies` of `bodies.wgsl`.
+    pub(crate) instances: wgpu::Buffer,
+    pub(crate) meshes: Vec<MeshBuffers>,
     /// Mesh and instance of every body of this frame.
-    drawn: Vec<(usize, u32)>,
+    pub(crate) drawn: Vec<(usize, u32)>,
 }
 
 impl BodyPass {
@@ -44,12 +52,7 @@ impl BodyPass {
         let module = shader(device, "bodies", &PARTS);
         let main_layout = layout(device, "bodies", &[(0, Slot::Uniform), (2, Slot::ShadowMap), (3, Slot::Comparison), (4, Slot::Storage)]);
         let shadow_layout = layout(device, "body shadows", &[(0, Slot::Uniform), (4, Slot::Storage)]);
-        let attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x4, 3 => Float32x2];
-        let buffers = [wgpu::VertexBufferLayout {
-            array_stride: size_of::<Vertex>() as u64,
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &attributes,
-        }];
+        let buffers = [VERTICES];
         let main = main_pipeline(
             device,
             &PipelineParts {

@@ -21,6 +21,13 @@ pub const PARTS: [&str; 6] = [
     include_str!("ground.wgsl"),
 ];
 
+/// x, z in frame space, and the grid's spacing.
+pub(crate) const VERTICES: wgpu::VertexBufferLayout<'_> = wgpu::VertexBufferLayout {
+    array_stride: 12,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
+};
+
 /// The ground's pass.
 pub(crate) struct GroundPass {
     pipeline: wgpu::RenderPipeline,
@@ -29,7 +36,8 @@ pub(crate) struct GroundPass {
     frame: wgpu::Buffer,
     shadow: (wgpu::TextureView, wgpu::Sampler),
     turf: wgpu::Buffer,
-    heights: HeightSamples,
+    /// The terrain's samples.
+    pub(crate) heights: HeightSamples,
     bare: BareGround,
     /// Made anew when a buffer has been replaced.
     bindings: Option<wgpu::BindGroup>,
@@ -62,11 +70,7 @@ impl GroundPass {
                 module: &module,
                 layout: &layout,
                 vertex: "ground_vertex",
-                buffers: &[wgpu::VertexBufferLayout {
-                    array_stride: 12,
-                    step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
-                }],
+                buffers: &[VERTICES],
                 fragment: Some("ground_fragment"),
                 coverage: false,
                 depth_write: true,
@@ -133,6 +137,11 @@ impl GroundPass {
         let Some(bindings) = &self.bindings else { return };
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, bindings, &[]);
+        self.draw_grid(pass);
+    }
+
+    /// Draws the grid with whatever pipeline is set.
+    pub(crate) fn draw_grid(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.count, 0, 0..1);

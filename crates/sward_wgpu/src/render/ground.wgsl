@@ -30,6 +30,10 @@ struct GroundPoint {
     @location(1) normal: vec3<f32>,
 }
 
+fn ground_place(p: vec2<f32>) -> vec3<f32> {
+    return vec3<f32>(p.x, ground_height(p), p.y);
+}
+
 // `corner`: x, z in frame space and the grid's spacing there.
 @vertex
 fn ground_vertex(@location(0) corner: vec3<f32>) -> GroundPoint {
@@ -39,7 +43,7 @@ fn ground_vertex(@location(0) corner: vec3<f32>) -> GroundPoint {
         ground_height(p + vec2<f32>(reach, 0.0)) - ground_height(p - vec2<f32>(reach, 0.0)),
         ground_height(p + vec2<f32>(0.0, reach)) - ground_height(p - vec2<f32>(0.0, reach)),
     ) / (2.0 * reach);
-    let place = vec3<f32>(p.x, ground_height(p), p.y);
+    let place = ground_place(p);
     return GroundPoint(frame.view_projection * vec4<f32>(place, 1.0), place, normalize(vec3<f32>(-slope.x, 1.0, -slope.y)));
 }
 

@@ -16,20 +16,17 @@ fn plants_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) in
     var leaf: Leaf;
     let index = instance * style.shape.w + vertex / style.shape.z;
     let plant = plants[index];
-    let distance = length(plant.root - frame.camera.xyz);
-    // Plants end at slightly different distances, so that no front is seen.
-    let gone = smoothstep(style.mean.z, style.mean.w, distance + (plant.tint - 0.5) * 0.3 * (style.mean.w - style.mean.z));
+    let gone = plants_gone(plant, frame.camera.xyz);
     if plant.height <= 0.0 || gone >= 1.0 || plants_unseen(plant) {
         leaf.position = plants_nowhere();
         return leaf;
     }
-    let bent = plants_bend(plant, index, vertex % style.shape.z, 1.0 - 0.85 * gone);
+    let bent = plants_bend(plant, index, vertex % style.shape.z, plants_keep(gone));
     leaf.position = frame.view_projection * vec4<f32>(bent.place, 1.0);
     leaf.place = bent.place;
     leaf.across = bent.across;
     leaf.facing = bent.facing;
-    let flip = select(1.0, -1.0, fract(plant.tint * 64.0) < 0.5);
-    leaf.card = vec4<f32>(0.5 + 0.5 * bent.side * flip, 1.0 - bent.along, bent.along, bent.lying);
+    leaf.card = vec4<f32>(plants_across(plant, bent.side), 1.0 - bent.along, bent.along, bent.lying);
     leaf.patchwork = vec4<f32>(shading_patchwork(plant.root.xz + frame.phase.xy), plant.tint);
     let away = bent.place - frame.camera.xyz;
     let clear = shading_fog(length(away), frame.camera.w);
@@ -38,15 +35,26 @@ fn plants_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) in
     return leaf;
 }
 
+// A card's picture at a place; where the card is nearly seen on edge, alpha is less.
+fn leaves_texel(at: vec2<f32>, layer: u32, facing: vec3<f32>, view: vec3<f32>) -> vec4<f32> {
+    let level = shading_level(dpdx(at) * 256.0, dpdy(at) * 256.0);
+    var texel = textureSampleLevel(clumps, clump_sampler, at, layer, level);
+    texel.a *= shading_on_edge(facing, view);
+    return texel;
+}
+
+// Share of the pixel that a leaf of this alpha covers.
+fn leaves_coverage(alpha: f32, distance: f32) -> f32 {
+    return shading_rim(alpha, fwidth(alpha), style.mean.w, distance);
+}
+
 @fragment
 fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
     let to_eye = frame.camera.xyz - leaf.place;
     let distance = length(to_eye);
     let view = normalize(to_eye);
-    let level = shading_level(dpdx(leaf.card.xy) * 256.0, dpdy(leaf.card.xy) * 256.0);
-    var texel = textureSampleLevel(clumps, clump_sampler, leaf.card.xy, leaf.layer, level);
-    texel.a *= shading_on_edge(leaf.facing, view);
-    let alpha = shading_rim(texel.a, fwidth(texel.a), style.mean.w, distance);
+    let texel = leaves_texel(leaf.card.xy, leaf.layer, leaf.facing, view);
+    let alpha = leaves_coverage(texel.a, distance);
     if alpha < 0.1 {
         discard;
     }

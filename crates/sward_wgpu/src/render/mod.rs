@@ -1,5 +1,6 @@
 //! The passes of a picture, one file each. Each assembles its shader by joining the library texts with its own.
 
+pub mod aov;
 mod bare;
 pub mod bodies;
 pub mod clump_texture;
@@ -14,7 +15,7 @@ pub mod shadow;
 pub mod sky;
 pub mod targets;
 
-pub(crate) use pipeline::{PipelineParts, Slot, layout, main_pipeline, shadow_pipeline};
+pub(crate) use pipeline::{PipelineParts, Slot, aov_pipeline, layout, main_pipeline, shadow_pipeline};
 use sward::geometry::{card, relief};
 use sward::shading;
 
@@ -40,14 +41,16 @@ pub fn assemble(parts: &[&str]) -> String {
 
 /// Every assembled text with its name, for validation.
 pub fn assembled() -> Vec<(&'static str, String)> {
-    vec![
+    let mut texts = vec![
         ("bodies", assemble(&bodies::PARTS)),
         ("ground", assemble(&ground::PARTS)),
         ("plants", assemble(&plant_pass::PARTS)),
         ("sky", assemble(&sky::PARTS)),
         ("resolve", assemble(&targets::PARTS)),
         ("resolve, OpenGL", assemble(&targets::MEAN_PARTS)),
-    ]
+    ];
+    texts.extend(aov::assembled());
+    texts
 }
 
 /// Samples per pixel of the main pass.

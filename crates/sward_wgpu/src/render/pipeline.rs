@@ -66,7 +66,21 @@ fn pipeline_layout(device: &wgpu::Device, parts: &PipelineParts<'_>) -> wgpu::Pi
 
 /// A pipeline of the main pass.
 pub(crate) fn main_pipeline(device: &wgpu::Device, parts: &PipelineParts<'_>) -> wgpu::RenderPipeline {
-    let target = Some(wgpu::ColorTargetState::from(COLOUR));
+    drawing_pipeline(device, parts, SAMPLES, &[COLOUR])
+}
+
+/// A pipeline of the pass of outputs beside the picture: one sample a pixel.
+pub(crate) fn aov_pipeline(device: &wgpu::Device, parts: &PipelineParts<'_>) -> wgpu::RenderPipeline {
+    drawing_pipeline(device, parts, 1, &super::aov::FORMATS)
+}
+
+fn drawing_pipeline(
+    device: &wgpu::Device,
+    parts: &PipelineParts<'_>,
+    samples: u32,
+    formats: &[wgpu::TextureFormat],
+) -> wgpu::RenderPipeline {
+    let targets: Vec<_> = formats.iter().map(|format| Some(wgpu::ColorTargetState::from(*format))).collect();
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(parts.label),
         layout: Some(&pipeline_layout(device, parts)),
@@ -84,12 +98,12 @@ pub(crate) fn main_pipeline(device: &wgpu::Device, parts: &PipelineParts<'_>) ->
             stencil: Default::default(),
             bias: Default::default(),
         }),
-        multisample: wgpu::MultisampleState { count: SAMPLES, mask: !0, alpha_to_coverage_enabled: parts.coverage },
+        multisample: wgpu::MultisampleState { count: samples, mask: !0, alpha_to_coverage_enabled: parts.coverage },
         fragment: Some(wgpu::FragmentState {
             module: parts.module,
             entry_point: parts.fragment,
             compilation_options: Default::default(),
-            targets: &[target],
+            targets: &targets,
         }),
         multiview_mask: None,
         cache: None,

@@ -15,21 +15,23 @@ pub const PARTS: [&str; 5] =
     [super::card::WGSL, super::SHADOWS_WGSL, include_str!("plants.wgsl"), include_str!("leaves.wgsl"), include_str!("plant_shadows.wgsl")];
 
 /// A batch made ready for this frame.
-struct Ready<'a> {
-    batch: PlantBatch<'a>,
+pub(crate) struct Ready<'a> {
+    pub(crate) batch: PlantBatch<'a>,
+    /// Number of the batch in the picture.
+    pub(crate) number: usize,
     main: wgpu::BindGroup,
     shadow: wgpu::BindGroup,
 }
 
 /// The batches of one frame.
-pub(crate) struct ReadyPlants<'a>(Vec<Ready<'a>>);
+pub(crate) struct ReadyPlants<'a>(pub(crate) Vec<Ready<'a>>);
 
 pub(crate) struct PlantPass {
     main: wgpu::RenderPipeline,
     shadow: wgpu::RenderPipeline,
     main_layout: wgpu::BindGroupLayout,
     shadow_layout: wgpu::BindGroupLayout,
-    clumps: ClumpTexture,
+    pub(crate) clumps: ClumpTexture,
     looks: Vec<Look>,
     styles: HashMap<(usize, u32, u32), wgpu::Buffer>,
     indices: HashMap<(u32, u32), wgpu::Buffer>,
@@ -83,14 +85,14 @@ impl PlantPass {
 
     /// Makes what the batches need; batches with an unknown look or shape are left out.
     pub(crate) fn ready<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, draws: &PlantDraws<'a>) -> ReadyPlants<'a> {
-        let fits = |batch: &&PlantBatch<'_>| {
+        let fits = |(_, batch): &(usize, &PlantBatch<'_>)| {
             batch.look < self.looks.len() && (1..=MOST_SEGMENTS).contains(&batch.segments) && (1..=MOST_CARDS).contains(&batch.cards)
         };
-        let batches: Vec<PlantBatch<'a>> = draws.batches.iter().filter(fits).copied().collect();
-        ReadyPlants(batches.into_iter().map(|batch| self.ready_batch(gpu, frame, map, batch)).collect())
+        let batches: Vec<(usize, &PlantBatch<'a>)> = draws.batches.iter().enumerate().filter(fits).collect();
+        ReadyPlants(batches.into_iter().map(|(number, batch)| self.ready_batch(gpu, frame, map, number, *batch)).collect())
     }
 
-    fn ready_batch<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, batch: PlantBatch<'a>) -> Ready<'a> {
+    fn ready_batch<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, number: usize, batch: PlantBatch<'a>) -> Ready<'a> {
         let device = &gpu.device;
         self.indices.entry((batch.segments, batch.cards)).or_insert_with(|| index_buffer(gpu, batch.segments, batch.cards));
         let look = &self.looks[batch.look];
@@ -112,7 +114,7 @@ impl PlantPass {
         all.push(wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&map.view) });
         all.push(wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&map.sampler) });
         let main = device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("plants"), layout: &self.main_layout, entries: &all });
-        Ready { batch, main, shadow }
+        Ready { batch, number, main, shadow }
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, plants: &ReadyPlants<'_>) {
@@ -131,7 +133,13 @@ impl PlantPass {
         }
     }
 
-    fn draw_batch(&self, pass: &mut wgpu::RenderPass<'_>, batch: &PlantBatch<'_>) {
+    /// `style` of a batch made ready.
+    pub(crate) fn style(&self, batch: &PlantBatch<'_>) -> Option<&wgpu::Buffer> {
+        self.styles.get(&(batch.look, batch.segments, batch.cards))
+    }
+
+    /// Draws a batch with whatever pipeline is set.
+    pub(crate) fn draw_batch(&self, pass: &mut wgpu::RenderPass<'_>, batch: &PlantBatch<'_>) {
         let Some(indices) = self.indices.get(&(batch.segments, batch.cards)) else {
             return;
         };

@@ -19,8 +19,7 @@ fn plants_shadow_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_in
     let bent = plants_bend(plant, index, vertex % style.shape.z, 1.0);
     let at = (frame.shadow * vec4<f32>(bent.place, 1.0)).xyz;
     shade.position = vec4<f32>(at.x * 2.0 - 1.0, 1.0 - at.y * 2.0, at.z, 1.0);
-    let flip = select(1.0, -1.0, fract(plant.tint * 64.0) < 0.5);
-    shade.card = vec2<f32>(0.5 + 0.5 * bent.side * flip, 1.0 - bent.along);
+    shade.card = vec2<f32>(plants_across(plant, bent.side), 1.0 - bent.along);
     shade.layer = plant.layer;
     return shade;
 }

@@ -24,22 +24,46 @@ struct Style {
 
 struct Bent { place: vec3<f32>, across: vec3<f32>, facing: vec3<f32>, along: f32, side: f32, lying: f32 }
 
-// Corner `corner` of a plant: card, joint and side follow from its number.
-fn plants_bend(plant: Plant, index: u32, corner: u32, keep: f32) -> Bent {
+// A corner of a card, and where the joints are that shape it.
+struct Corner { card: u32, joint: u32, side: f32, base: u32, here: u32, low: u32, high: u32 }
+
+// Corner `corner` of plant `index`: card, joint and side follow from its number.
+fn plants_corner(index: u32, corner: u32) -> Corner {
     let segments = style.shape.x;
     let per_card = 2u * (segments + 1u);
-    let card = corner / per_card;
     let joint = (corner % per_card) / 2u;
-    let side = f32(corner & 1u) * 2.0 - 1.0;
     let first = index * (segments + 1u);
-    let base = joints[first].xyz;
-    let here = joints[first + joint].xyz;
-    let low = joints[first + select(joint - 1u, 0u, joint == 0u)].xyz;
-    let high = joints[first + min(joint + 1u, segments)].xyz;
-    let turn = plant.yaw + f32(card) * 3.14159265 / f32(style.shape.y);
-    let rung = card_rung(base, here, low, high, turn, plant.width, f32(card + 1u) * f32(joint), keep);
-    let place = rung.middle + rung.across * (0.5 * rung.width * side);
-    return Bent(place, rung.across, rung.facing, f32(joint) / f32(segments), side, rung.lying);
+    let low = first + select(joint - 1u, 0u, joint == 0u);
+    return Corner(corner / per_card, joint, f32(corner & 1u) * 2.0 - 1.0, first, first + joint, low, first + min(joint + 1u, segments));
+}
+
+// A corner between the joints at its places.
+fn plants_bend_between(plant: Plant, corner: Corner, base: vec3<f32>, here: vec3<f32>, low: vec3<f32>, high: vec3<f32>, keep: f32) -> Bent {
+    let turn = plant.yaw + f32(corner.card) * 3.14159265 / f32(style.shape.y);
+    let rung = card_rung(base, here, low, high, turn, plant.width, f32(corner.card + 1u) * f32(corner.joint), keep);
+    let place = rung.middle + rung.across * (0.5 * rung.width * corner.side);
+    return Bent(place, rung.across, rung.facing, f32(corner.joint) / f32(style.shape.x), corner.side, rung.lying);
+}
+
+fn plants_bend(plant: Plant, index: u32, corner: u32, keep: f32) -> Bent {
+    let at = plants_corner(index, corner);
+    return plants_bend_between(plant, at, joints[at.base].xyz, joints[at.here].xyz, joints[at.low].xyz, joints[at.high].xyz, keep);
+}
+
+// How far a plant seen from `eye` is gone, 0 to 1. Plants end at slightly different distances, so that no front is seen.
+fn plants_gone(plant: Plant, eye: vec3<f32>) -> f32 {
+    let distance = length(plant.root - eye);
+    return smoothstep(style.mean.z, style.mean.w, distance + (plant.tint - 0.5) * 0.3 * (style.mean.w - style.mean.z));
+}
+
+// What the fading leaves of a plant's size.
+fn plants_keep(gone: f32) -> f32 {
+    return 1.0 - 0.85 * gone;
+}
+
+// Across a card's picture: half of the plants show it turned around.
+fn plants_across(plant: Plant, side: f32) -> f32 {
+    return 0.5 + 0.5 * side * select(1.0, -1.0, fract(plant.tint * 64.0) < 0.5);
 }
 
 // Whether the whole plant lies outside the picture's sides or behind the eye, cheaply and on the safe side.

@@ -1,5 +1,6 @@
 //! The pass that solves each visible plant once, into joints. What is drawn is decided by [`sward::picture::plan`].
 
+use sward::picture::past::Past;
 pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
 use sward::picture::plan::{Seen, THINNING};
 pub use sward::picture::prepare::PrepareUniform;
@@ -7,6 +8,8 @@ use sward::response::StandModel;
 use sward::scene::Precision;
 use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
+use sward::state::PatchKey;
+use sward::wind::WindField;
 use sward::world::World;
 
 use super::height_samples::HeightSamples;
@@ -121,17 +124,48 @@ impl PreparePass {
         buffers: &mut BatchBuffers,
         stopwatch: Option<&mut Stopwatch>,
     ) {
-        let drawn = if plain { 1 } else { stand.species.billboard.segments };
-        (buffers.plants, buffers.segments) = (batch.plants, drawn);
+        let uniform = PrepareUniform::new(world, stand, plain, seen, look);
+        self.record_with(gpu, encoder, &uniform, &world.wind_before(stand, seen.behind), batch, cells, growth, buffers, stopwatch);
+    }
+
+    /// Records the pass for the plants of a batch as they were in the picture before: `batch` is that of [`Past::plan`].
+    pub fn record_past(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        past: &Past,
+        (index, origin): (usize, PatchKey),
+        batch: &BatchPlan,
+        plain: bool,
+        cells: &CellBuffers,
+        growth: &wgpu::TextureView,
+        buffers: &mut BatchBuffers,
+    ) {
+        let uniform = past.uniform(index, origin, plain);
+        self.record_with(gpu, encoder, &uniform, &past.wind(index), batch, cells, growth, buffers, None);
+    }
+
+    fn record_with(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        uniform: &PrepareUniform,
+        wind: &WindField,
+        batch: &BatchPlan,
+        cells: &CellBuffers,
+        growth: &wgpu::TextureView,
+        buffers: &mut BatchBuffers,
+        stopwatch: Option<&mut Stopwatch>,
+    ) {
+        (buffers.plants, buffers.segments) = (batch.plants, uniform.drawn);
         if batch.draws.is_empty() {
             return;
         }
-        buffers.reserve(gpu, batch.plants, drawn + 1);
+        buffers.reserve(gpu, batch.plants, uniform.drawn + 1);
         let Some((plants, joints)) = &buffers.filled else { return };
-        let uniform = PrepareUniform::new(world, stand, plain, seen, look);
         let made = |label: &str, contents: &[u8], usage| gpu.filled(label, contents, usage);
-        let uniform = made("prepare", bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM);
-        let wind = world.wind_before(stand, seen.behind).block(stand.cells / sward::response::continuum::NODE_CELLS);
+        let wind = wind.block(uniform.placement.cells / sward::response::continuum::NODE_CELLS);
+        let uniform = made("prepare", bytemuck::bytes_of(uniform), wgpu::BufferUsages::UNIFORM);
         let wind = made("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
         let draws = made("patches to draw", bytemuck::cast_slice(&batch.draws), wgpu::BufferUsages::STORAGE);
         let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &self.heights.buffer, &self.tile, plants, joints, &cells.old];

@@ -18,6 +18,7 @@ struct Prepare {
     behind: f32,         // steps, 0 to 1, that the picture lies before the state
     substeps: f32,       // the time level before is one of them ago
     lag: vec4<f32>,      // gains of billboard_earlier
+    identity: vec4<u32>, // of the picture before, for the plants of this one: bits of cell and patch, stand from 1; else 0
 }
 
 struct PatchDraw {
@@ -145,6 +146,14 @@ fn plant_bend(which: u32, local: vec2<f32>, segment: u32, rest: vec2<f32>) -> ve
     return mix(rest, bend, weight);
 }
 
+/// The number of a plant. Twin: identity.rs.
+fn prepare_number(patch_: vec2<i32>, cell: vec2<u32>) -> u32 {
+    let bits = prepare.identity;
+    let place = vec2<u32>(patch_) & vec2<u32>((1u << bits.y) - 1u);
+    let index = cell.y * prepare.placement.cells + cell.x;
+    return index | (place.x << bits.x) | (place.y << (bits.x + bits.y)) | (bits.z << (bits.x + 2u * bits.y));
+}
+
 fn nothing(plant: u32) {
     plants[plant] = Plant(vec3<f32>(0.0), 0.0, 0.0, 0.0, 0.0, 0u);
 }
@@ -177,7 +186,9 @@ fn prepare_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     let thin = min(1.0, pow(prepare.full / max(away, 1e-3), PREPARE_THINNING)) * prepare.fullness;
     let rank = (f32(id.x) + 0.5) / f32(1u << (2u * prepare.bits));
     let stay = clamp((thin - rank) / (0.12 * thin), 0.0, 1.0);
-    if stay <= 0.0 || away >= prepare.gone {
+    // The picture before may have left out what this one shows: its smallest form then.
+    let then = prepare.identity.z > 0u;
+    if !then && (stay <= 0.0 || away >= prepare.gone) {
         nothing(out);
         return;
     }
@@ -226,5 +237,9 @@ fn prepare_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let chance = fract(placed.tint * 61.7);
     let width = prepare.width * (0.8 + 0.4 * fract(placed.tint * 17.3)) * min(inverseSqrt(thin), 2.2) * mix(0.5, 1.0, stay);
-    plants[out] = Plant(root, height, placed.yaw, width, placed.tint, prepare.layer + min(u32(chance * f32(CLUMP_VARIANTS)), CLUMP_VARIANTS - 1u));
+    var layer = prepare.layer + min(u32(chance * f32(CLUMP_VARIANTS)), CLUMP_VARIANTS - 1u);
+    if then {
+        layer = prepare_number(draw.patch_index, cell);
+    }
+    plants[out] = Plant(root, height, placed.yaw, width, placed.tint, layer);
 }

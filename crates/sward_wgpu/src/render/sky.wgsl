@@ -5,11 +5,15 @@ struct SkyPoint {
     @location(0) ray: vec3<f32>,
 }
 
-@vertex
-fn sky_vertex(@builtin(vertex_index) index: u32) -> SkyPoint {
+fn sky_point(index: u32) -> SkyPoint {
     let corner = vec2<f32>(f32(index & 1u) * 4.0 - 1.0, f32(index >> 1u) * 4.0 - 1.0);
     let ray = frame.forward.xyz + corner.x * frame.right.xyz + corner.y * frame.up.xyz;
     return SkyPoint(vec4<f32>(corner, 0.0, 1.0), ray);
+}
+
+@vertex
+fn sky_vertex(@builtin(vertex_index) index: u32) -> SkyPoint {
+    return sky_point(index);
 }
 
 @fragment

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sward::{geometry::billboard, response::continuum, state};
+use sward::{geometry::billboard, picture::aov, response::continuum, state};
 use sward_wgpu::render::{self, shadow};
 
 use crate::libraries::{core_sources, wgsl_files};
@@ -31,6 +31,9 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("SHADING_STRAW", Alone),
         ("RESOLVE_SAMPLES", Value(f64::from(render::SAMPLES))),
         ("SHADING_MEAN_LIT", Value(f64::from(sward::shading::foliage::MEAN_LIT))),
+        ("AOV_COVERAGE", Value(f64::from(aov::COVERAGE))),
+        ("AOV_UNSEEN", Value(f64::from(aov::UNSEEN))),
+        ("AOV_NEAR", Value(f64::from(sward::picture::frame::NEAR))),
         ("CONTACT_BAND", Source("interaction/contact.rs", "BAND")),
         ("TERRAIN_DETAIL_PURPOSE", Source("terrain/detail.rs", "PURPOSE")),
         ("PLACEMENT_PRESENT", Source(PLACEMENT, "PRESENT")),

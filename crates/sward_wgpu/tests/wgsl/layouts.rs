@@ -4,6 +4,7 @@ use std::mem::offset_of;
 
 use sward::growth::{GrowthBlock, GrowthRecord};
 use sward::interaction::{Contact, ContactEdge};
+use sward::picture::aov::AovUniform;
 use sward::picture::frame::FrameUniform;
 use sward::placement::PlacementParameters;
 use sward::response::continuum::{Coefficients, LagCoefficients};
@@ -113,7 +114,8 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         fullness,
         behind,
         substeps,
-        lag
+        lag,
+        identity
     });
     let draw = layout!(PatchDraw { offset, patch as "patch_index", anchor, weights, slots, lags, first, count, growth });
     let frame = layout!(FrameUniform {
@@ -160,6 +162,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("Style", text_of("plants"), layout!(Style { root, tip, mean, shape })),
         ("ShadingTurf", text_of("ground"), layout!(Turf { root, tip, mean })),
         ("Frame", text_of("sky"), frame),
+        ("Aov", text_of("sky, outputs"), layout!(AovUniform { then, eye, size })),
     ]
 }
 

@@ -1,0 +1,89 @@
+//! What is remembered of a picture, for the motion in the next one: where everything was then.
+//!
+//! The two time levels of a solver are not the two pictures: there may be any number of steps between these.
+
+use super::aov::AovUniform;
+use super::frame::BodyDraw;
+use super::identity::Identity;
+use super::plan::{BatchPlan, Seen, plan, plan_then};
+use super::prepare::PrepareUniform;
+use super::subject::{self, Frame};
+use crate::geometry::mesh::Mesh;
+use crate::response::StandModel;
+use crate::shading::look::Look;
+use crate::state::PatchKey;
+use crate::view::View;
+use crate::wind::WindField;
+use crate::world::World;
+
+/// The moment of a picture.
+#[derive(Clone, Debug)]
+pub struct Past {
+    /// The world of that moment; its cells only where the CPU holds them.
+    pub world: World,
+    /// Steps, 0 to 1, that the picture lay before the world's state.
+    pub behind: f64,
+    view: View,
+    /// Share of plants drawn, per stand.
+    fullness: Vec<f64>,
+    looks: Vec<Look>,
+    identity: Identity,
+}
+
+impl Past {
+    /// The moment `behind` steps (0 to 1) before the state of a world, as a picture of it is drawn.
+    pub fn of(world: &World, behind: f64) -> Self {
+        let behind = behind.clamp(0.0, 1.0);
+        let (view, looks) = (world.camera_before(behind), subject::looks(world));
+        let (_, origin) = Frame::of(world, &view, behind);
+        let seen = Seen { view: &view, origin, fullness: 1.0, behind };
+        let share = world.scene.budget.visible_plants / (looks.len().max(1) as u32);
+        let fullness = looks.iter().enumerate().map(|(index, look)| plan(world, index, &seen, look, share).1).collect();
+        Self { world: world.clone(), behind, view, fullness, looks, identity: Identity::of(world) }
+    }
+
+    /// A stand then.
+    pub fn stand(&self, index: usize) -> &StandModel {
+        &self.world.model.stands[index]
+    }
+
+    /// The plants of a batch of the present picture, whose frame begins at the patch `origin`, as they were then.
+    pub fn plan(&self, index: usize, origin: PatchKey, now: &BatchPlan) -> BatchPlan {
+        plan_then(&self.world, index, origin, now)
+    }
+
+    /// What those plants are prepared with.
+    pub fn uniform(&self, index: usize, origin: PatchKey, plain: bool) -> PrepareUniform {
+        let seen = Seen { view: &self.view, origin, fullness: self.fullness[index], behind: self.behind };
+        let identity = self.identity.of_stand(index);
+        PrepareUniform { identity, ..PrepareUniform::new(&self.world, self.stand(index), plain, &seen, &self.looks[index]) }
+    }
+
+    /// The wind on the nodes of a stand.
+    pub fn wind(&self, index: usize) -> WindField {
+        self.world.wind_before(self.stand(index), self.behind)
+    }
+
+    /// The camera then, for a present picture of `size` pixels.
+    pub fn camera(&self, now: &Frame, size: [u32; 2]) -> AovUniform {
+        let view = self.frame(now).view(&self.view);
+        let [width, height] = size.map(|side| side.max(1) as f32);
+        AovUniform { then: view.projection(size), eye: view.position.extend(0.0), size: glam::Vec4::new(width, height, 0.0, 0.0) }
+    }
+
+    /// Where the bodies of the present picture were; those that were away stand where they are now.
+    pub fn bodies(&self, now: &Frame, draws: &[BodyDraw], meshes: &[Option<usize>]) -> Vec<BodyDraw> {
+        let then = subject::bodies(&self.world, &self.frame(now), meshes);
+        draws.iter().map(|draw| *then.iter().find(|then| then.number == draw.number).unwrap_or(draw)).collect()
+    }
+
+    /// The mesh of a body that plays a clip, as it was; `None` for others, and for one that was away.
+    pub fn moved(&self, body: usize) -> Option<Mesh> {
+        subject::moved(&self.world, body, self.behind)
+    }
+
+    /// That moment in the space of the present frame.
+    fn frame(&self, now: &Frame) -> Frame {
+        Frame { corner: now.corner, behind: self.behind }
+    }
+}

@@ -1,0 +1,61 @@
+//! The outputs beside a picture: depth, motion and plant of each pixel.
+
+use sward::picture::aov::{Aov, AovPixel, AovUniform};
+use sward::picture::past::Past;
+
+use crate::bodies::Bodies;
+use crate::each::each;
+use crate::plants::Batch;
+use crate::sight::Sight;
+use crate::studio::{Layout, Moment, Studio};
+use crate::trace::Trace;
+
+/// The things of a picture as they were in the one before.
+pub(crate) struct Before {
+    camera: AovUniform,
+    bodies: Bodies,
+    batches: Vec<Batch>,
+}
+
+impl Studio {
+    /// Solves what a picture shows as it was.
+    pub(crate) fn before(&self, past: &Past, moment: &Moment) -> Before {
+        let solve = |drawn: &crate::studio::Drawn| {
+            let plan = past.plan(drawn.stand, moment.origin, &drawn.plan);
+            let uniform = past.uniform(drawn.stand, moment.origin, drawn.plain);
+            self.solve(&past.world, drawn.stand, &plan, uniform, &past.wind(drawn.stand))
+        };
+        let draws = past.bodies(&moment.frame, &moment.draws, &self.mesh_of);
+        // A body that was away has not moved.
+        let moved: Vec<_> = moment.moved.iter().enumerate().map(|(body, now)| past.moved(body).or_else(|| now.clone())).collect();
+        Before {
+            camera: past.camera(&moment.frame, moment.size),
+            bodies: Bodies::new(&self.posed(&moved), &draws),
+            batches: moment.plans.iter().map(solve).collect(),
+        }
+    }
+
+    /// Draws the outputs of a picture.
+    pub(crate) fn trace(&self, sight: &Sight<'_>, layout: &Layout, moment: &Moment, before: &Before) -> Aov {
+        let [columns, rows] = layout.tiles;
+        let tiles = each((0..columns * rows).collect(), |index| {
+            let mut tile = Trace::new(layout.corner(index), &before.camera);
+            moment.bodies.trace(sight, &mut tile, layout.bodies.of(index), &before.bodies);
+            for ((batch, then), bins) in moment.batches.iter().zip(&before.batches).zip(&layout.batches) {
+                batch.trace(sight, &self.clumps, &mut tile, bins.of(index), then);
+            }
+            layout.ground.trace(&mut tile, index);
+            tile.fill(sight);
+            tile.finish()
+        });
+        let [width, height] = sight.size;
+        let pixels = layout.join(&tiles, sight.size, AovPixel { depth: f32::INFINITY, motion: [0.0; 2], plant: 0 });
+        Aov {
+            width,
+            height,
+            depth: pixels.iter().map(|pixel| pixel.depth).collect(),
+            motion: pixels.iter().map(|pixel| pixel.motion).collect(),
+            plant: pixels.iter().map(|pixel| pixel.plant).collect(),
+        }
+    }
+}

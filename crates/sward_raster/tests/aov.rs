@@ -1,0 +1,35 @@
+//! Outputs beside pictures drawn on the CPU: a car pass, followed from frame to frame.
+
+#[path = "support/exact.rs"]
+mod exact;
+#[allow(dead_code)]
+#[path = "../../sward/tests/figures/glb.rs"]
+mod glb;
+#[path = "support/reprojection.rs"]
+mod reprojection;
+#[path = "support/verdicts.rs"]
+mod verdicts;
+
+use reprojection::{CAR_PASS, FRAMES, Pair, SIZE, world};
+use sward::picture::past::Past;
+use sward_raster::Studio;
+
+fn pair() -> Pair {
+    let mut moving = world(CAR_PASS);
+    let studio = Studio::new(&moving);
+    let mut drawn = FRAMES.map(|(step, behind)| {
+        (moving.state.step..step).for_each(|_| moving.step());
+        (moving.clone(), behind, None)
+    });
+    let past = Past::of(&drawn[0].0, drawn[0].1);
+    for (world, behind, aov) in &mut drawn {
+        *aov = Some(studio.draw_aov(world, &past, *behind, SIZE).1);
+    }
+    let [(first, _, before), (second, _, now)] = drawn;
+    Pair::new([first, second], [before, now].map(|aov| aov.expect("drawn")))
+}
+
+#[test]
+fn a_car_pass_is_followed() {
+    verdicts::car_pass(&pair()).expect("the pass is followed");
+}

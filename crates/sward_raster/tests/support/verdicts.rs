@@ -1,0 +1,61 @@
+//! What must hold of two frames of a car pass, and what must not.
+
+use glam::DVec2;
+
+use crate::reprojection::{Errors, Kind, Pair, given};
+
+fn ensure(holds: bool, message: impl FnOnce() -> String) -> Result<(), String> {
+    if holds { Ok(()) } else { Err(message()) }
+}
+
+/// Motion is exact for all kinds of surfaces; followed, it lands on the same plant; other motion does neither.
+pub(crate) fn car_pass(pair: &Pair) -> Result<(), String> {
+    for kind in [Kind::Plant, Kind::Body, Kind::Ground, Kind::Sky] {
+        let motion = pair.exact(kind);
+        let errors = Errors::new(&motion, 1.0);
+        let (count, moved) = (errors.off.len(), errors.moved);
+        let line = format!(
+            "{kind:?}: {count} pixels moved by {moved:.2}; off by {:.5} (median), {:.5} (p99), {:.5} (p99.9), {:.5} at most; {} unknown",
+            errors.at(0.5),
+            errors.at(0.99),
+            errors.at(0.999),
+            errors.at(1.0),
+            errors.unknown
+        );
+        println!("{line}");
+        ensure(count > 500 && moved > 1.0, || format!("{line}: too little to see"))?;
+        ensure(errors.at(0.999) < OFF && errors.unknown * 200 < count, || line.clone())?;
+        for (name, wrong) in [("none", 0.0), ("the wrong sign", -1.0), ("1 % more", 1.01)] {
+            let control = Errors::new(&motion, wrong).at(0.5);
+            ensure(control > OFF.min(0.005 * moved), || format!("{kind:?}, control: {name} is off by {control}"))?;
+        }
+    }
+    followed(pair)
+}
+
+/// Most that motion may be off, pixels, for 999 of 1000 pixels.
+const OFF: f64 = 0.02;
+
+fn followed(pair: &Pair) -> Result<(), String> {
+    let later = &pair.frames[1];
+    let plants = |at: usize| pair.kinds[at] == Kind::Plant;
+    let right = pair.follow(plants, |at| given(later, at));
+    let still = pair.follow(plants, |_| DVec2::ZERO);
+    let wrong = pair.follow(plants, |at| -given(later, at));
+    println!("plants followed: {right:?}; not at all: {still:?}; the wrong way: {wrong:?}");
+    ensure(right.share() > 0.99, || format!("plants are lost: {right:?}"))?;
+    ensure(right.landed > 4 * right.hidden, || format!("too many plants are hidden: {right:?}"))?;
+    for (name, control) in [("no motion", still), ("the wrong sign", wrong)] {
+        ensure(3 * control.landed < 2 * right.landed, || format!("control: {name} lands as well: {control:?}"))?;
+    }
+    // In the track plants are pushed aside: there the camera does not explain where they were.
+    let camera = pair.camera_only();
+    let pushed = |at: usize| plants(at) && (camera[at] - given(later, at)).length() > 3.0;
+    let (right, control) = (pair.follow(pushed, |at| given(later, at)), pair.follow(pushed, |at| camera[at]));
+    println!("pushed plants followed: {right:?}; by the camera's motion: {control:?}");
+    ensure(right.landed > 100 && right.share() > 0.95, || format!("pushed plants are lost: {right:?}"))?;
+    ensure(3 * control.landed < 2 * right.landed, || format!("control: the camera's motion lands as well: {control:?}"))?;
+    let bodies = pair.follow(|at| pair.kinds[at] == Kind::Body, |at| given(later, at));
+    println!("bodies followed: {bodies:?}");
+    ensure(bodies.landed > 500 && bodies.share() > 0.99, || format!("bodies are lost: {bodies:?}"))
+}

@@ -1,0 +1,91 @@
+//! The picture before, on the GPU: its cells, and the plants of the present picture as they were.
+
+use sward::geometry::mesh::Mesh;
+use sward::picture::past::Past;
+use sward::picture::plan::BatchPlan;
+use sward::scene::Precision;
+use sward::state::PatchKey;
+use sward::world::World;
+
+use crate::compute::buffers::CellBuffers;
+use crate::gpu::{Gpu, GpuError};
+use crate::render::growth_maps::GrowthMaps;
+use crate::render::prepare::{BatchBuffers, PreparePass};
+use crate::studio::{CellsAt, batch_order};
+
+/// How a stand's cells are stored where they are.
+fn precision(cells: &CellsAt<'_>, stand: usize) -> Precision {
+    let on_gpu = if let CellsAt::Gpu(step) = cells { step.cells(stand) } else { None };
+    on_gpu.map_or(Precision::Full, |cells| cells.precision.clone())
+}
+
+/// The moment of the picture before, and what of it lies on the GPU.
+pub(crate) struct KeptPast {
+    pub(crate) moment: Past,
+    /// Cells of that moment, per stand.
+    cells: Vec<CellBuffers>,
+    /// The plants of the present picture as they were, near and plain, per stand.
+    batches: Vec<[BatchBuffers; 2]>,
+}
+
+impl KeptPast {
+    /// The moment `behind` steps before the state.
+    pub(crate) fn new(gpu: &Gpu, world: &World, cells: &CellsAt<'_>, behind: f64) -> Result<Self, GpuError> {
+        let stands = &world.model.stands;
+        let mut past = Self {
+            moment: Past::of(world, behind),
+            cells: stands.iter().enumerate().map(|(index, stand)| CellBuffers::new(gpu, stand, precision(cells, index))).collect(),
+            batches: stands.iter().map(|_| Default::default()).collect(),
+        };
+        past.keep_cells(gpu, world, cells)?;
+        Ok(past)
+    }
+
+    /// Lets another moment be the one that is kept.
+    pub(crate) fn keep(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>, behind: f64) -> Result<(), GpuError> {
+        self.moment = Past::of(world, behind);
+        self.keep_cells(gpu, world, cells)
+    }
+
+    fn keep_cells(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>) -> Result<(), GpuError> {
+        let stands = world.model.stands.iter().zip(&world.state.stands);
+        for (index, (kept, (stand, state))) in self.cells.iter_mut().zip(stands).enumerate() {
+            match cells {
+                CellsAt::Cpu => {
+                    kept.reserve(gpu, state, stand.is_level(&world.model.terrain))?;
+                    kept.upload(gpu, state);
+                }
+                CellsAt::Gpu(step) => {
+                    if let Some(cells) = step.cells(index) {
+                        kept.copy_from(gpu, cells);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Solves the plants of the present picture, whose frame begins at the patch `origin`, as they were.
+    pub(crate) fn prepare(&mut self, gpu: &Gpu, pass: &PreparePass, origin: PatchKey, plans: &[[BatchPlan; 2]], growth: &[GrowthMaps]) {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        for (index, plain) in batch_order(plans) {
+            let batch = self.moment.plan(index, origin, &plans[index][plain]);
+            let buffers = &mut self.batches[index][plain];
+            let (cells, growth) = (&self.cells[index], &growth[index].view);
+            pass.record_past(gpu, &mut encoder, &self.moment, (index, origin), &batch, plain == 1, cells, growth, buffers);
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Buffers of those plants and of their joints, in the order they are drawn.
+    pub(crate) fn plants(&self, plans: &[[BatchPlan; 2]]) -> Vec<[&wgpu::Buffer; 2]> {
+        let filled = |(index, plain): (usize, usize)| self.batches[index][plain].filled.as_ref();
+        batch_order(plans).filter_map(filled).map(|(plants, joints)| [plants, joints]).collect()
+    }
+
+    /// Meshes of bodies that play a clip, as they were, with the numbers of `meshes`.
+    pub(crate) fn meshes(&self, meshes: &[Option<usize>]) -> Vec<(usize, Mesh)> {
+        let moved = |(body, mesh): (usize, &Option<usize>)| Some(((*mesh)?, self.moment.moved(body)?));
+        meshes.iter().enumerate().filter_map(moved).collect()
+    }
+}

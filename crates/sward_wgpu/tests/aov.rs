@@ -1,0 +1,25 @@
+//! Outputs beside pictures: a car pass followed from frame to frame, and the CPU's outputs against the GPU's.
+
+#[path = "support/adapter.rs"]
+mod adapter;
+#[path = "../../sward_raster/tests/support/exact.rs"]
+mod exact;
+#[allow(dead_code)]
+#[path = "../../sward/tests/figures/glb.rs"]
+mod glb;
+#[path = "support/outputs.rs"]
+mod outputs;
+#[path = "../../sward_raster/tests/support/reprojection.rs"]
+mod reprojection;
+#[path = "../../sward_raster/tests/support/verdicts.rs"]
+mod verdicts;
+
+fn main() -> std::process::ExitCode {
+    let tests: &[adapter::Test] = &[
+        ("a_car_pass_is_followed", outputs::a_car_pass_is_followed),
+        ("outputs_agree", outputs::outputs_agree),
+        ("cells_of_the_gpu_are_remembered", outputs::cells_of_the_gpu_are_remembered),
+        ("asking_for_outputs_changes_no_picture", outputs::asking_for_outputs_changes_no_picture),
+    ];
+    adapter::run(tests, |_, _| None)
+}
