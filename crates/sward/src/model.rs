@@ -249,9 +249,9 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
 /// patch fades into β_eq.
 fn tolerance(species: &SpeciesModel, sources: &[Source]) -> f32 {
     let wind = crate::wind::WindField::at(sources, 0, 1.0, 1.0);
-    let rare = 2.0 * wind.gust_speed();
-    let bend = |speed: f32| crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0];
     let mean = (wind.mean[0] * wind.mean[0] + wind.mean[1] * wind.mean[1]).sqrt();
+    let rare = 2.0 * (wind.gust_speed() - mean);
+    let bend = |speed: f32| crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0];
     let lull = if mean > rare { mean - rare } else { 0.0 };
     let (up, down) = (bend(mean + rare) - bend(mean), bend(mean) - bend(lull));
     crate::response::continuum::REST + if rare == 0.0 { 0.0 } else { crate::math::upper(up, down) }

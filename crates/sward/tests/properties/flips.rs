@@ -85,7 +85,7 @@ fn step(world: &mut World, halved: bool) -> BTreeMap<PatchKey, Vec<bool>> {
     let plan = world.plan();
     let (stand, plan_of) = (&world.model.stands[0], &plan.stands[0]);
     let cells = &mut world.state.stands[0].cells;
-    let summary = continuum::step(&world.model.terrain, stand, plan_of, cells, world.lanes);
+    let summary = continuum::step(&world.model.terrain, stand, plan_of, cells, world.lanes, &mut |_| ());
     continuum::lags(stand, plan_of, cells, plan.step, world.lanes);
     let held = held(plan_of, stand.coefficients.plant_height);
     if halved {
