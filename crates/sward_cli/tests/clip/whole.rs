@@ -178,5 +178,5 @@ pub(crate) fn contradictions_are_refused() {
         place.refuses(&["render", "small.ron", "-o", "a.mp4", "--size", size], &[words, "clip"]);
     }
     #[cfg(target_os = "linux")]
-    place.refuses(&with(&["-o", "/proc/a.mp4", "--frames", "0..2"]), &["cannot make the folder /proc/a.mp4.frames", "type -o"]);
+    place.refuses(&with(&["-o", "/proc/a.mp4", "--frames", "0..2"]), &["cannot write to /proc/a.mp4", "type -o"]);
 }

@@ -6,6 +6,7 @@ mod report;
 
 use std::io::Write;
 use std::path::Path;
+use std::time::Instant;
 
 use sward::world::World;
 use sward_wgpu::gpu::Gpu;
@@ -100,7 +101,14 @@ fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Re
         return stages.time("step", || backend.step(world));
     }
     let plan = stages.time("plan: bodies, wind, activation", || world.plan());
-    let summaries = stages.time("response: contact, wave, lags", || world.respond(&plan));
+    // Of all stands together.
+    let names = ["rest", "contact", "wave", "upper segments"];
+    let (mut spent, mut begun) = ([0.0; 4], Instant::now());
+    let summaries = world.respond_in_stages(&plan, &mut |stage| {
+        spent[stage as usize] += 1e3 * begun.elapsed().as_secs_f64();
+        begun = Instant::now();
+    });
+    names.into_iter().zip(spent).for_each(|(name, milliseconds)| stages.add(name, milliseconds));
     stages.time("file summaries", || world.finish(summaries));
     Ok(())
 }
