@@ -107,6 +107,7 @@ impl Studio {
         behind: f64,
         size: [u32; 2],
     ) -> Result<(Picture, Aov), GpuError> {
+        gpu.check()?;
         let size = picture::fitting(gpu, size);
         let mut past = match self.past.take() {
             Some(past) => past,
@@ -135,6 +136,7 @@ impl Studio {
     /// # Errors
     /// What the device reports.
     pub fn remember(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64) -> Result<(), GpuError> {
+        gpu.check()?;
         match &mut self.past {
             Some(past) => past.keep(gpu, world, &cells, behind),
             None => {
