@@ -123,7 +123,8 @@ fn another_sequence_begins_anew() {
 #[test]
 fn frames_without_settings_are_not_gone_on_from() {
     let place = Place::with_small("no_settings");
-    let resumed = [&SEQUENCE[..], &["clip", "--resume"]].concat();
+    let two = SEQUENCE.map(|word| if word == "0..24" { "0..2" } else { word });
+    let resumed = [&two[..], &["clip", "--resume"]].concat();
     for file in ["frame_0003.png", "frame_0003.depth.npy", "frame_0003.exr", "frames.state"] {
         place.write(&format!("clip/{file}"), "of whatever");
         place.refuses(&resumed, &["no frames.json says what they are of", "help: ", "without --resume", "-o DIR/"]);
@@ -137,7 +138,7 @@ fn frames_without_settings_are_not_gone_on_from() {
         std::fs::remove_file(place.0.join("clip/frames.json")).expect("it was written");
         settings.iter().for_each(|text| place.write("clip/frames.json", text));
         ["clip/frame_0099.png", "clip/frame_0099.motion.npy"].iter().for_each(|file| place.write(file, "of whatever"));
-        place.sward(&[&SEQUENCE[..], &["clip"]].concat()).done();
+        place.sward(&[&two[..], &["clip"]].concat()).done();
         assert!(!place.files().iter().any(|file| file.contains("0099")), "{:?}", place.files());
     }
     assert!(foreign.iter().all(|file| place.files().contains(&(*file).to_owned())), "what others put there stays");
