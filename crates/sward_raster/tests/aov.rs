@@ -1,5 +1,7 @@
 //! Outputs beside pictures drawn on the CPU: a car pass, followed from frame to frame.
 
+#[path = "support/edited.rs"]
+mod edited;
 #[path = "support/exact.rs"]
 mod exact;
 #[allow(dead_code)]
@@ -32,4 +34,12 @@ fn pair() -> Pair {
 #[test]
 fn a_car_pass_is_followed() {
     verdicts::car_pass(&pair()).expect("the pass is followed");
+}
+
+#[test]
+fn edited_ground_is_no_motion() {
+    let worlds = edited::worlds();
+    let studio = Studio::new(&worlds[0]);
+    let draw = |k: usize, past: usize| studio.draw_aov(&worlds[k], &Past::of(&worlds[past], 0.0), 0.0, SIZE).1;
+    edited::verdict(&worlds, &[draw(0, 0), draw(1, 0)], &draw(1, 1)).expect("it has not moved");
 }

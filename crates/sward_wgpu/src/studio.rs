@@ -116,7 +116,7 @@ impl Studio {
         let ready = self.ready(gpu, world, &cells, behind)?;
         let bodies = subject::bodies(world, &ready.frame, &self.meshes);
         let input = ready.frame.input(world, &ready.view, &bodies);
-        past.prepare(gpu, &self.prepare, ready.origin, &ready.plans, &self.growth);
+        past.prepare(gpu, &self.prepare, ready.origin, &world.model.terrain, &ready.plans, &self.growth);
         let before = Before {
             camera: past.moment.camera(&ready.frame, size),
             bodies: &past.moment.bodies(&ready.frame, &bodies, &self.meshes),
