@@ -14,6 +14,7 @@ mod verdicts;
 
 use reprojection::{CAR_PASS, FRAMES, Pair, SIZE, world};
 use sward::picture::past::Past;
+use sward::world::World;
 use sward_raster::Studio;
 
 fn pair() -> Pair {
@@ -40,6 +41,8 @@ fn a_car_pass_is_followed() {
 fn edited_ground_is_no_motion() {
     let worlds = edited::worlds();
     let studio = Studio::new(&worlds[0]);
-    let draw = |k: usize, past: usize| studio.draw_aov(&worlds[k], &Past::of(&worlds[past], 0.0), 0.0, SIZE).1;
-    edited::verdict(&worlds, &[draw(0, 0), draw(1, 0)], &draw(1, 1)).expect("it has not moved");
+    let draw = |k: usize, past: &World| studio.draw_aov(&worlds[k], &Past::of(past, 0.0), 0.0, SIZE).1;
+    let [before, now] = &worlds;
+    let frames = [draw(0, before), draw(1, before)];
+    edited::verdict(&worlds, &frames, &draw(1, &edited::always(&worlds)), &draw(1, now)).expect("it has not moved");
 }
