@@ -86,6 +86,27 @@ fn one_picture_has_outputs_too() {
     assert!(motion.iter().any(|bits| f32::from_bits(*bits).abs() > 0.1), "the frame before is one interval ago");
 }
 
+/// Before the work: a folder in the way, and a name that is too long for an output but not for the picture.
+#[test]
+fn outputs_that_cannot_be_written_are_refused() {
+    let place = Place::with_small("aov_in_the_way");
+    for (folder, more) in [
+        ("one.motion.npy", &["-o", "one.png", "--time", "0"][..]),
+        ("one.exr", &["-o", "one.png", "--time", "0", "--aov-format", "exr"]),
+        ("one.aov.json", &["-o", "one.png", "--time", "0"]),
+        ("clip/frame_0001.plant.npy", &["--frames", "0..2", "-o", "clip"]),
+        ("clip/frame_0001.png", &["--frames", "0..2", "-o", "clip"]),
+    ] {
+        std::fs::create_dir_all(place.0.join(folder)).expect("writable");
+        place.refuses(&sequence(more), &[folder, "is a folder", "help: ", "-o"]);
+        std::fs::remove_dir(place.0.join(folder)).expect("nothing is in it");
+    }
+    let long = format!("{}.png", "x".repeat(236));
+    place.refuses(&sequence(&["--time", "0", "-o", &long]), &["cannot write to xxx", ".npy", "help: "]);
+    std::fs::create_dir_all(place.0.join("one.exr")).expect("writable");
+    place.sward(&sequence(&["--time", "0", "-o", "one.png"])).done();
+}
+
 #[test]
 fn wrong_outputs_are_refused() {
     let place = Place::with_small("aov_refused");
