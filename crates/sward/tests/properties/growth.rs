@@ -57,11 +57,14 @@ fn in_pond(at: [f64; 2]) -> bool {
     at[0].hypot(at[1] - 11.0) < 2.5
 }
 
+/// Whether a place lies in a shape.
+type Inside<'a> = &'a dyn Fn([f64; 2]) -> bool;
+
 #[test]
 fn no_root_stands_in_an_exclusion() {
     let (free, limited) = (meadow(""), meadow(&format!("exclusions: [{ROAD}, {HOUSE}, {YARD}, {POND}]")));
     let on_road = |at: [f64; 2]| near_line(&[[-20.0, 3.0], [1.0, 2.0], [6.0, -9.0], [6.0, -40.0]], at) < 1.99;
-    let all: [(&str, &dyn Fn([f64; 2]) -> bool); 4] = [("road", &on_road), ("house", &in_house), ("yard", &in_yard), ("pond", &in_pond)];
+    let all: [(&str, Inside); 4] = [("road", &on_road), ("house", &in_house), ("yard", &in_yard), ("pond", &in_pond)];
     let root = |plant: &Plant| plant.root.map(f64::from);
     let (wild, kept) = (plants(&free, 0), plants(&limited, 0));
     let mut gone = 0;
