@@ -2,6 +2,7 @@
 
 use sward::picture::aov::{Aov, AovPixel, AovUniform};
 use sward::picture::past::Past;
+use sward::world::World;
 
 use crate::bodies::Bodies;
 use crate::each::each;
@@ -18,12 +19,13 @@ pub(crate) struct Before {
 }
 
 impl Studio {
-    /// Solves what a picture shows as it was.
-    pub(crate) fn before(&self, past: &Past, moment: &Moment) -> Before {
+    /// Solves what a picture of `world` shows as it was, on the ground of now.
+    pub(crate) fn before(&self, world: &World, past: &Past, moment: &Moment) -> Before {
         let solve = |drawn: &crate::studio::Drawn| {
             let plan = past.plan(drawn.stand, moment.origin, &drawn.plan);
-            let uniform = past.uniform(drawn.stand, moment.origin, drawn.plain);
-            self.solve(&past.world, drawn.stand, &plan, uniform, &past.wind(drawn.stand))
+            let uniform = past.uniform(drawn.stand, moment.origin, drawn.plain, &world.model.terrain);
+            let cells = &past.world.state.stands[drawn.stand].cells;
+            self.solve(world, cells, drawn.stand, &plan, uniform, &past.wind(drawn.stand))
         };
         let draws = past.bodies(&moment.frame, &moment.draws, &self.mesh_of);
         // A body that was away has not moved.

@@ -13,7 +13,7 @@ use sward::picture::prepare::{PrepareUniform, Preparing};
 use sward::picture::subject::{self, Frame, SHADOW_REACH};
 use sward::response::continuum::NODE_CELLS;
 use sward::shading::look::{Look, Turf};
-use sward::state::PatchKey;
+use sward::state::{Cells, PatchKey};
 use sward::wind::WindField;
 use sward::world::World;
 
@@ -78,7 +78,7 @@ impl Studio {
         let shadows = self.shadow_map(&moment.uniform, &moment.batches, &moment.bodies);
         let sight = Sight::new(moment.uniform, moment.size, &shadows);
         let layout = self.layout(&sight, &moment, world);
-        let before = self.before(past, &moment);
+        let before = self.before(world, past, &moment);
         (self.paint(&sight, &layout, &moment), self.trace(&sight, &layout, &moment, &before))
     }
 
@@ -128,24 +128,26 @@ impl Studio {
         let solve = |(drawn, fullness): &(Drawn, f64)| {
             let (stand, seen) = (&world.model.stands[drawn.stand], Seen { fullness: *fullness, ..*seen });
             let uniform = PrepareUniform::new(world, stand, drawn.plain, &seen, &self.looks[drawn.stand]);
-            self.solve(world, drawn.stand, &drawn.plan, uniform, &world.wind_before(stand, seen.behind))
+            let cells = &world.state.stands[drawn.stand].cells;
+            self.solve(world, cells, drawn.stand, &drawn.plan, uniform, &world.wind_before(stand, seen.behind))
         };
         let batches = drawn.iter().map(solve).collect();
         (drawn.into_iter().map(|(drawn, _)| drawn).collect(), batches)
     }
 
-    /// Solves the plants of a batch.
-    pub(crate) fn solve(&self, world: &World, index: usize, plan: &BatchPlan, uniform: PrepareUniform, wind: &WindField) -> Batch {
+    /// Solves the plants of a batch of a stand, bent as `cells` say, on the ground of a world.
+    pub(crate) fn solve(
+        &self,
+        world: &World,
+        cells: &Cells,
+        index: usize,
+        plan: &BatchPlan,
+        uniform: PrepareUniform,
+        wind: &WindField,
+    ) -> Batch {
         let stand = &world.model.stands[index];
         let per_plant = uniform.drawn as usize + 1;
-        let preparing = Preparing {
-            uniform,
-            cells: &world.state.stands[index].cells,
-            terrain: &world.model.terrain,
-            stand,
-            wind,
-            intervals: stand.cells / NODE_CELLS,
-        };
+        let preparing = Preparing { uniform, cells, terrain: &world.model.terrain, stand, wind, intervals: stand.cells / NODE_CELLS };
         let mut plants = vec![Plant::default(); plan.plants as usize];
         let mut joints = vec![[0.0; 4]; plants.len() * per_plant];
         let (mut rest, mut rest_joints) = (&mut plants[..], &mut joints[..]);

@@ -1,5 +1,7 @@
 //! Outputs beside pictures drawn on the CPU: a car pass, followed from frame to frame.
 
+#[path = "support/edited.rs"]
+mod edited;
 #[path = "support/exact.rs"]
 mod exact;
 #[allow(dead_code)]
@@ -12,6 +14,7 @@ mod verdicts;
 
 use reprojection::{CAR_PASS, FRAMES, Pair, SIZE, world};
 use sward::picture::past::Past;
+use sward::world::World;
 use sward_raster::Studio;
 
 fn pair() -> Pair {
@@ -32,4 +35,14 @@ fn pair() -> Pair {
 #[test]
 fn a_car_pass_is_followed() {
     verdicts::car_pass(&pair()).expect("the pass is followed");
+}
+
+#[test]
+fn edited_ground_is_no_motion() {
+    let worlds = edited::worlds();
+    let studio = Studio::new(&worlds[0]);
+    let draw = |k: usize, past: &World| studio.draw_aov(&worlds[k], &Past::of(past, 0.0), 0.0, SIZE).1;
+    let [before, now] = &worlds;
+    let frames = [draw(0, before), draw(1, before)];
+    edited::verdict(&worlds, &frames, &draw(1, &edited::always(&worlds)), &draw(1, now)).expect("it has not moved");
 }

@@ -70,6 +70,18 @@ pub enum GpuError {
         /// Patches that fit.
         most: u32,
     },
+    /// More patches near a camera keep their upper segments than one buffer can bind.
+    #[error(
+        "{slots} patches of {cells}×{cells} cells near a camera do not fit the buffer of upper segments of this device; it holds {most}. Lower budget.lag_distance or the stand's cells"
+    )]
+    TooManyLagCells {
+        /// Patches asked for.
+        slots: u32,
+        /// Cells per patch side.
+        cells: u32,
+        /// Patches that fit.
+        most: u32,
+    },
     /// The device is gone, and with it what it held. Open another one, or go on on the CPU from the last state that was saved.
     #[error("the graphics device was lost: {reason}")]
     Lost {
@@ -78,6 +90,9 @@ pub enum GpuError {
     },
     /// The device has no room left. Fewer awake patches (`budget.patches`), fewer cells of a stand, fewer `budget.visible_plants` or a smaller
     /// picture need less.
+    ///
+    /// Cells that were there still are, and may be downloaded, but a step that failed so was planned already: to go on, make a new
+    /// `GpuStep` from a world that was saved before it.
     #[error("the graphics device is out of memory: {what}")]
     OutOfMemory {
         /// What did not fit, in the driver's words.

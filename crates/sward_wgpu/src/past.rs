@@ -5,6 +5,7 @@ use sward::picture::past::Past;
 use sward::picture::plan::BatchPlan;
 use sward::scene::Precision;
 use sward::state::PatchKey;
+use sward::terrain::Terrain;
 use sward::world::World;
 
 use crate::compute::buffers::CellBuffers;
@@ -52,6 +53,10 @@ impl KeptPast {
         for (index, (kept, (stand, state))) in self.cells.iter_mut().zip(stands).enumerate() {
             match cells {
                 CellsAt::Cpu => {
+                    // Copied from a GPU the picture before.
+                    if kept.precision != Precision::Full {
+                        *kept = CellBuffers::new(gpu, stand, Precision::Full);
+                    }
                     kept.reserve(gpu, state, stand.is_level(&world.model.terrain))?;
                     kept.upload(gpu, state);
                 }
@@ -62,17 +67,26 @@ impl KeptPast {
                 }
             }
         }
-        Ok(())
+        // Whoever only remembers asks for nothing else that would tell.
+        gpu.check()
     }
 
-    /// Solves the plants of the present picture, whose frame begins at the patch `origin`, as they were.
-    pub(crate) fn prepare(&mut self, gpu: &Gpu, pass: &PreparePass, origin: PatchKey, plans: &[[BatchPlan; 2]], growth: &[GrowthMaps]) {
+    /// Solves the plants of the present picture, whose frame begins at the patch `origin`, as they were, on the `ground` of now.
+    pub(crate) fn prepare(
+        &mut self,
+        gpu: &Gpu,
+        pass: &PreparePass,
+        origin: PatchKey,
+        ground: &Terrain,
+        plans: &[[BatchPlan; 2]],
+        growth: &[GrowthMaps],
+    ) {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         for (index, plain) in batch_order(plans) {
             let batch = self.moment.plan(index, origin, &plans[index][plain]);
             let buffers = &mut self.batches[index][plain];
             let (cells, growth) = (&self.cells[index], &growth[index].view);
-            pass.record_past(gpu, &mut encoder, &self.moment, (index, origin), &batch, plain == 1, cells, growth, buffers);
+            pass.record_past(gpu, &mut encoder, &self.moment, (index, origin), ground, &batch, plain == 1, cells, growth, buffers);
         }
         gpu.queue.submit([encoder.finish()]);
     }

@@ -107,6 +107,7 @@ impl Studio {
         behind: f64,
         size: [u32; 2],
     ) -> Result<(Picture, Aov), GpuError> {
+        gpu.check()?;
         let size = picture::fitting(gpu, size);
         let mut past = match self.past.take() {
             Some(past) => past,
@@ -115,7 +116,7 @@ impl Studio {
         let ready = self.ready(gpu, world, &cells, behind)?;
         let bodies = subject::bodies(world, &ready.frame, &self.meshes);
         let input = ready.frame.input(world, &ready.view, &bodies);
-        past.prepare(gpu, &self.prepare, ready.origin, &ready.plans, &self.growth);
+        past.prepare(gpu, &self.prepare, ready.origin, &world.model.terrain, &ready.plans, &self.growth);
         let before = Before {
             camera: past.moment.camera(&ready.frame, size),
             bodies: &past.moment.bodies(&ready.frame, &bodies, &self.meshes),
@@ -135,6 +136,7 @@ impl Studio {
     /// # Errors
     /// What the device reports.
     pub fn remember(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64) -> Result<(), GpuError> {
+        gpu.check()?;
         match &mut self.past {
             Some(past) => past.keep(gpu, world, &cells, behind),
             None => {

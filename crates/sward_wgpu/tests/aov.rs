@@ -2,6 +2,8 @@
 
 #[path = "support/adapter.rs"]
 mod adapter;
+#[path = "../../sward_raster/tests/support/edited.rs"]
+mod edited;
 #[path = "../../sward_raster/tests/support/exact.rs"]
 mod exact;
 #[allow(dead_code)]
@@ -19,6 +21,8 @@ fn main() -> std::process::ExitCode {
         ("a_car_pass_is_followed", outputs::a_car_pass_is_followed),
         ("outputs_agree", outputs::outputs_agree),
         ("cells_of_the_gpu_are_remembered", outputs::cells_of_the_gpu_are_remembered),
+        ("cells_may_change_their_place", outputs::cells_may_change_their_place),
+        ("edited_ground_is_no_motion", outputs::edited_ground_is_no_motion),
         ("asking_for_outputs_changes_no_picture", outputs::asking_for_outputs_changes_no_picture),
     ];
     adapter::run(tests, |_, _| None)

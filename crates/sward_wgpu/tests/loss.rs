@@ -2,11 +2,14 @@
 
 #[path = "support/adapter.rs"]
 mod adapter;
+#[allow(dead_code)]
+#[path = "../../sward/tests/figures/glb.rs"]
+mod glb;
 
 use std::process::ExitCode;
 
 use adapter::{Test, Verdict, ensure};
-use sward::{model::NoAssets, scene::Scene, world::World};
+use sward::{model::Assets, model::NoAssets, scene::Scene, world::World};
 use sward_wgpu::compute::GpuStep;
 use sward_wgpu::gpu::{Gpu, GpuError};
 use sward_wgpu::studio::{CellsAt, Studio};
@@ -76,6 +79,38 @@ fn goes_on(world: &mut World, saved: &[u8]) -> Verdict {
         .map(|world| world.state.stands[0].cells.now.iter().flat_map(|cells| cells.iter()).copied().collect::<Vec<f32>>());
     let worst = cpu.iter().zip(&gpu).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
     ensure(worst < 1e-3, || format!("on the CPU and on a new device: {worst} apart"))
+}
+
+/// A body that plays a clip: its mesh is sent anew for each picture.
+struct Post;
+
+impl Assets for Post {
+    fn read(&self, _: &str) -> Result<Vec<u8>, String> {
+        Ok(glb::post().bytes())
+    }
+}
+
+/// Outputs beside pictures, too: those that go on, and the first ones. Controls: before the loss all of them come.
+fn outputs_of_a_lost_device_are_errors(_: &Gpu) -> Verdict {
+    let gpu = Gpu::new()?;
+    let scene = SCENE.replace("(shape: Truck)", r#"(shape: Mesh(file: "post.glb", clip: "Bow"), path: Circle(radius: 1, speed: 1))"#);
+    let mut world = World::new(Scene::parse(&scene, "loss.ron")?, &Post)?;
+    let mut step = GpuStep::new(&gpu, &world)?;
+    let [mut cells_here, mut cells_there, mut fresh] = [Studio::new(&gpu, &world)?, Studio::new(&gpu, &world)?, Studio::new(&gpu, &world)?];
+    for _ in 0..3 {
+        step.step(&gpu, &mut world)?;
+    }
+    cells_here.draw_aov(&gpu, &world, CellsAt::Cpu, 0.0, SIZE)?;
+    cells_there.draw_aov(&gpu, &world, CellsAt::Gpu(&step), 0.0, SIZE)?;
+    cells_there.remember(&gpu, &world, CellsAt::Gpu(&step), 0.0)?;
+    gpu.device.destroy();
+    for studio in [&mut cells_here, &mut cells_there, &mut fresh] {
+        lost("remember", studio.remember(&gpu, &world, CellsAt::Gpu(&step), 0.0))?;
+        lost("remember cells of the CPU", studio.remember(&gpu, &world, CellsAt::Cpu, 0.0))?;
+        lost("outputs", studio.draw_aov(&gpu, &world, CellsAt::Gpu(&step), 0.0, SIZE))?;
+        lost("outputs of cells of the CPU", studio.draw_aov(&gpu, &world, CellsAt::Cpu, 0.0, SIZE))?;
+    }
+    Ok(())
 }
 
 /// Destroyed before anything was asked of it, and at each moment of a short run.
@@ -178,6 +213,7 @@ fn skip(_: &Gpu, name: &str) -> Option<String> {
 fn main() -> ExitCode {
     let tests: &[Test] = &[
         ("a_lost_device_is_an_error_everywhere", a_lost_device_is_an_error_everywhere),
+        ("outputs_of_a_lost_device_are_errors", outputs_of_a_lost_device_are_errors),
         ("a_device_may_be_lost_at_any_moment", a_device_may_be_lost_at_any_moment),
         ("what_no_device_has_is_an_error", what_no_device_has_is_an_error),
         ("a_full_device_is_an_error", a_full_device_is_an_error),

@@ -36,6 +36,7 @@ fn main() -> std::process::ExitCode {
         ("bend", continuum::bend),
         ("propagate", continuum::propagate),
         ("limit", continuum::limit),
+        ("limited", continuum::limited),
         ("rest", continuum::rest),
         ("lags", continuum::lags),
         ("patterns", shading::patterns),
@@ -71,6 +72,7 @@ fn main() -> std::process::ExitCode {
         ("half_sleeps", halves::half_sleeps),
         ("half_continues", halves::half_continues),
         ("half_memory", halves::half_memory),
+        ("room_ends", halves::room_ends),
         ("one_dispatch_a_stage", halves::one_dispatch_a_stage),
     ];
     adapter::run(tests, |_, _| None)

@@ -1,6 +1,9 @@
 //! What is remembered of a picture, for the motion in the next one: where everything was then.
 //!
 //! The two time levels of a solver are not the two pictures: there may be any number of steps between these.
+//!
+//! The ground is taken as unmoved: where it was edited between the pictures, its pixels and the plants on it were where the present
+//! ground is, and all that grow now grew then.
 
 use super::aov::AovUniform;
 use super::frame::BodyDraw;
@@ -12,6 +15,7 @@ use crate::geometry::mesh::Mesh;
 use crate::response::StandModel;
 use crate::shading::look::Look;
 use crate::state::PatchKey;
+use crate::terrain::Terrain;
 use crate::view::View;
 use crate::wind::WindField;
 use crate::world::World;
@@ -52,11 +56,12 @@ impl Past {
         plan_then(&self.world, index, origin, now)
     }
 
-    /// What those plants are prepared with.
-    pub fn uniform(&self, index: usize, origin: PatchKey, plain: bool) -> PrepareUniform {
+    /// What those plants are prepared with, on the `ground` of the present.
+    pub fn uniform(&self, index: usize, origin: PatchKey, plain: bool, ground: &Terrain) -> PrepareUniform {
         let seen = Seen { view: &self.view, origin, fullness: self.fullness[index], behind: self.behind };
         let identity = self.identity.of_stand(index);
-        PrepareUniform { identity, ..PrepareUniform::new(&self.world, self.stand(index), plain, &seen, &self.looks[index]) }
+        let grid = ground.grid();
+        PrepareUniform { identity, grid, ..PrepareUniform::new(&self.world, self.stand(index), plain, &seen, &self.looks[index]) }
     }
 
     /// The wind on the nodes of a stand.

@@ -151,12 +151,13 @@ pub fn plan(world: &World, index: usize, seen: &Seen, look: &Look, share: u32) -
     (batches, fullness)
 }
 
-/// The places of a batch, in a world of another moment: the same patches, numbers and order, with that moment's cells.
+/// The places of a batch, in a world of another moment: the same patches, numbers and order, on the same ground, with that moment's cells.
 pub fn plan_then(then: &World, index: usize, origin: PatchKey, now: &BatchPlan) -> BatchPlan {
-    let draws = now
-        .draws
-        .iter()
-        .map(|now| PatchDraw { growth: now.growth, ..draw(then, &then.state.stands[index], now.patch, origin, now.first, now.count) });
+    let draws = now.draws.iter().map(|now| PatchDraw {
+        anchor: now.anchor,
+        growth: now.growth,
+        ..draw(then, &then.state.stands[index], now.patch, origin, now.first, now.count)
+    });
     BatchPlan { draws: draws.collect(), plants: now.plants }
 }
 

@@ -56,7 +56,7 @@ pub(crate) fn paths(text: &str) -> Vec<String> {
     let targets = targets.map(|target| target.split('#').next().unwrap_or_default()).filter(|target| !target.contains("://"));
     let looks_like_path = |span: &&str| {
         let plain = span.chars().all(|c| c.is_ascii_alphanumeric() || "_-./".contains(c));
-        let root = ["crates/", "docs/", "scenes/", "assets/", "golden/", ".ci/"].iter().any(|folder| span.starts_with(folder));
+        let root = ["crates/", "docs/", "scenes/", "assets/", "golden/", "bench/", ".ci/"].iter().any(|folder| span.starts_with(folder));
         plain && (root || span.strip_suffix(".md").is_some_and(|name| !name.contains('/')))
     };
     let named = spans(&prose).into_iter().filter(looks_like_path);

@@ -43,6 +43,11 @@ fn words(precision: &Precision) -> u64 {
     }
 }
 
+/// Slots of `each` words that fit `limit` words.
+fn fitting(limit: u64, each: u64) -> u32 {
+    limit.checked_div(each).map_or(u32::MAX, |slots| slots.min(u64::from(u32::MAX)) as u32)
+}
+
 fn storage(gpu: &Gpu, label: &str, floats: u64) -> wgpu::Buffer {
     gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
@@ -95,10 +100,10 @@ impl CellBuffers {
     }
 
     /// Makes room for the slots that `state` uses, keeping what is stored: doubled as they grow, but never more than the budget allows.
-    /// True if buffers were replaced.
+    /// True if buffers were replaced; where that fails, all of them are as before.
     ///
     /// # Errors
-    /// More cells than one buffer of this device can bind.
+    /// More cells than one buffer of this device can bind, or what the device reports.
     pub fn reserve(&mut self, gpu: &Gpu, state: &StandState, level: bool) -> Result<bool, GpuError> {
         let most = |pick: fn(&Awake) -> u32| state.awake.values().map(pick).filter(|slot| *slot != NONE).max().map_or(0, |slot| slot + 1);
         let (slots, lag_slots) = (most(|awake| awake.slot), most(|awake| awake.lag));
@@ -107,53 +112,66 @@ impl CellBuffers {
             return Ok(false);
         }
         let limit = gpu.device.limits().max_storage_buffer_binding_size / 4;
-        let room = |wanted: u32, have: u32, budget: usize, floats: u64| {
-            let fits = limit.checked_div(floats).map_or(u32::MAX, |slots| slots.min(u64::from(u32::MAX)) as u32);
-            let most = fits.min((budget as u32).max(wanted));
-            if wanted > fits { None } else { Some(wanted.next_power_of_two().max(have).min(most)) }
-        };
-        let budget = state.awake.len() + state.free.len();
-        let lag_budget = state.awake.values().filter(|awake| awake.lag != NONE).count() + state.lag_free.len();
-        let level_words = words(&self.precision);
-        // On hills the ground under a cell takes three.
-        let widest = level_words.max(if level { 0 } else { 3 }) * self.area();
-        let lag_widest = u64::from(self.upper_planes.max(self.ring_planes)) * self.area();
-        let (Some(slots), Some(lag_slots)) =
-            (room(slots, self.slots, budget, widest), room(lag_slots, self.lag_slots, lag_budget, lag_widest))
-        else {
-            return Err(GpuError::TooManyCells { slots, cells: self.cells, most: (limit / widest) as u32 });
-        };
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let mut grow = |buffer: &mut wgpu::Buffer, label: &str, have: u64, want: u64| {
-            if want > have {
-                let larger = storage(gpu, label, want);
-                if have > 0 {
-                    encoder.copy_buffer_to_buffer(buffer, 0, &larger, 0, Some(have * 4));
-                }
-                *buffer = larger;
-            }
-        };
-        let area = u64::from(self.cells) * u64::from(self.cells);
-        let nodes = u64::from(self.cells / 2 + 3) * u64::from(self.cells / 2 + 3) * 2;
-        let (have, want) = (u64::from(self.slots), u64::from(slots));
-        grow(&mut self.now, "cells now", have * level_words * area, want * level_words * area);
-        grow(&mut self.old, "cells before", have * level_words * area, want * level_words * area);
-        grow(&mut self.nodes, "rest at wind nodes", have * nodes, want * nodes);
-        if !level {
-            grow(&mut self.ground, "ground under cells", u64::from(self.ground_slots) * 3 * area, want * 3 * area);
-            self.ground_slots = slots;
-        }
-        let (have, want) = (u64::from(self.lag_slots), u64::from(lag_slots));
-        let (upper, ring) = (u64::from(self.upper_planes) * area, u64::from(self.ring_planes) * area);
-        grow(&mut self.upper, "upper segments", have * upper, want * upper);
-        grow(&mut self.past, "past bend", have * ring, want * ring);
-        gpu.queue.submit([encoder.finish()]);
-        (self.slots, self.lag_slots) = (slots, lag_slots);
+        let [slots, lag_slots] = self.room(state, limit, slots, lag_slots)?;
+        self.grow(gpu, slots, lag_slots, level)?;
         self.steepest.resize(slots as usize, if level { 0.0 } else { f32::MAX });
         Ok(true)
     }
 
-    /// Becomes a copy of what a picture reads of `other`: both time levels and the upper segments.
+    /// Slots and lag slots to make room for, in buffers of at most `limit` words.
+    fn room(&self, state: &StandState, limit: u64, slots: u32, lag_slots: u32) -> Result<[u32; 2], GpuError> {
+        let lag_budget = state.awake.values().filter(|awake| awake.lag != NONE).count() + state.lag_free.len();
+        // The ground under a cell takes three words. Level ground may be edited, so it counts there, too: no world that runs stops then.
+        let widest = words(&self.precision).max(3) * self.area();
+        let lag_widest = u64::from(self.upper_planes.max(self.ring_planes)) * self.area();
+        let (fits, lag_fits) = (fitting(limit, widest), fitting(limit, lag_widest));
+        if slots > fits {
+            return Err(GpuError::TooManyCells { slots, cells: self.cells, most: fits });
+        }
+        if lag_slots > lag_fits {
+            return Err(GpuError::TooManyLagCells { slots: lag_slots, cells: self.cells, most: lag_fits });
+        }
+        let room = |wanted: u32, have: u32, budget: usize, fits: u32| {
+            wanted.next_power_of_two().max(have).min(fits.min((budget as u32).max(wanted)))
+        };
+        let budget = state.awake.len() + state.free.len();
+        Ok([room(slots, self.slots, budget, fits), room(lag_slots, self.lag_slots, lag_budget, lag_fits)])
+    }
+
+    fn grow(&mut self, gpu: &Gpu, slots: u32, lag_slots: u32, level: bool) -> Result<(), GpuError> {
+        let area = self.area();
+        let nodes = u64::from(self.cells / 2 + 3) * u64::from(self.cells / 2 + 3) * 2;
+        let stored = words(&self.precision) * area;
+        let (upper, ring) = (u64::from(self.upper_planes) * area, u64::from(self.ring_planes) * area);
+        let ground_slots = if level { self.ground_slots } else { slots };
+        let (both, ground, lags) = ([self.slots, slots], [self.ground_slots, ground_slots], [self.lag_slots, lag_slots]);
+        let mut growing = vec![
+            (&mut self.now, "cells now", both, stored),
+            (&mut self.old, "cells before", both, stored),
+            (&mut self.nodes, "rest at wind nodes", both, nodes),
+            (&mut self.ground, "ground under cells", ground, 3 * area),
+            (&mut self.upper, "upper segments", lags, upper),
+            (&mut self.past, "past bend", lags, ring),
+        ];
+        growing.retain(|(_, _, [have, want], each)| want > have && *each > 0);
+        let larger: Vec<wgpu::Buffer> =
+            growing.iter().map(|(_, label, [_, want], each)| storage(gpu, label, u64::from(*want) * each)).collect();
+        // Nothing is replaced before there is room for all.
+        gpu.check()?;
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        for ((buffer, _, [have, _], each), larger) in growing.into_iter().zip(larger) {
+            if have > 0 {
+                encoder.copy_buffer_to_buffer(buffer, 0, &larger, 0, Some(u64::from(have) * each * 4));
+            }
+            *buffer = larger;
+        }
+        gpu.queue.submit([encoder.finish()]);
+        (self.slots, self.lag_slots, self.ground_slots) = (slots, lag_slots, ground_slots);
+        Ok(())
+    }
+
+    /// Becomes a copy of what a picture reads of `other`, stored as it is there: both time levels and the upper segments. There is room
+    /// for nothing else then: [`CellBuffers::reserve`] begins anew.
     pub fn copy_from(&mut self, gpu: &Gpu, other: &Self) {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let pairs = [(&mut self.now, &other.now), (&mut self.old, &other.old), (&mut self.upper, &other.upper)];
@@ -163,6 +181,8 @@ impl CellBuffers {
             }
             encoder.copy_buffer_to_buffer(from, 0, own, 0, Some(from.size()));
         }
+        self.precision = other.precision.clone();
+        (self.slots, self.lag_slots, self.ground_slots) = (0, 0, 0);
         gpu.queue.submit([encoder.finish()]);
     }
 

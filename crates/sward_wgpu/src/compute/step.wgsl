@@ -134,8 +134,9 @@ fn wave_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invoca
         if continuum_length(free.bend) > entry.safe {
             slope = slope_of(entry.slot, id.xy);
         }
-        next = continuum_limited(free, slope);
-        clamped = any(next.bend != free.bend) || any(next.rate != free.rate);
+        let limited = continuum_limited(free, slope);
+        next = limited.cell;
+        clamped = limited.clamped;
     }
     if last_substep && entry.keep < 1.0 {
         next = continuum_faded(next, rest, entry.keep);

@@ -9,6 +9,7 @@ use sward::scene::Precision;
 use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
 use sward::state::PatchKey;
+use sward::terrain::Terrain;
 use sward::wind::WindField;
 use sward::world::World;
 
@@ -128,20 +129,22 @@ impl PreparePass {
         self.record_with(gpu, encoder, &uniform, &world.wind_before(stand, seen.behind), batch, cells, growth, buffers, stopwatch);
     }
 
-    /// Records the pass for the plants of a batch as they were in the picture before: `batch` is that of [`Past::plan`].
+    /// Records the pass for the plants of a batch as they were in the picture before: `batch` is that of [`Past::plan`], `ground` that
+    /// of now, as this pass follows it.
     pub fn record_past(
         &self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         past: &Past,
         (index, origin): (usize, PatchKey),
+        ground: &Terrain,
         batch: &BatchPlan,
         plain: bool,
         cells: &CellBuffers,
         growth: &wgpu::TextureView,
         buffers: &mut BatchBuffers,
     ) {
-        let uniform = past.uniform(index, origin, plain);
+        let uniform = past.uniform(index, origin, plain, ground);
         self.record_with(gpu, encoder, &uniform, &past.wind(index), batch, cells, growth, buffers, None);
     }
 

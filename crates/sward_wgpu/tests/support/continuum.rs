@@ -161,13 +161,37 @@ pub(crate) fn limit(gpu: &Gpu) -> Verdict {
         let cell = ContinuumCell(bend, next_v());
         let limited = continuum_limited(cell, next_v());
         let rest = next_v();
-        let next = continuum_faded(limited, rest, next_f());
+        let next = continuum_faded(limited.cell, rest, next_f());
         put_v(next.bend);
         put_v(next.rate);
         put_f(continuum_deviation(next, rest));
     }}"
     );
     Twin { name: "limit", library: &library(), host: &host, tables: &[], rust }.check(gpu, By::Relative(ROUNDING, 1.0))
+}
+
+/// Which cells count as limited; some of their numbers are none, and those are over no limit.
+pub(crate) fn limited(gpu: &Gpu) -> Verdict {
+    let rust = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let gap = random.bits() % 8;
+        let mut number = |k: u32, most: f32| {
+            let value = random.drawn(-most, most);
+            random.put(if k == gap { f32::NAN } else { value })
+        };
+        let cell = [number(0, 1.4), number(1, 1.4), number(2, 60.0), number(3, 60.0)];
+        input.extend(random.words);
+        let [mut a, mut b, mut c, mut d] = cell.map(|value| [value]);
+        vec![limit_row(&mut [&mut a[..], &mut b[..], &mut c[..], &mut d[..]], [&[], &[]], &[])]
+    };
+    let host = format!(
+        "{UNUSED}
+    fn twin() {{
+        let bend = next_v();
+        put_u(u32(continuum_limited(ContinuumCell(bend, next_v()), vec2<f32>(0.0)).clamped));
+    }}"
+    );
+    Twin { name: "limited", library: &library(), host: &host, tables: &[], rust }.check(gpu, By::Bits)
 }
 
 /// β_eq between nodes, halo cells included.

@@ -10,7 +10,7 @@ use sward::world::World;
 use sward_wgpu::compare::{Deviation, Tolerance};
 use sward_wgpu::compute::GpuStep;
 use sward_wgpu::compute::buffers::CellBuffers;
-use sward_wgpu::gpu::Gpu;
+use sward_wgpu::gpu::{Gpu, GpuError};
 
 use crate::adapter::{Verdict, ensure};
 use crate::kernels::{By, Random, Twin, line};
@@ -206,6 +206,33 @@ pub(crate) fn half_memory(gpu: &Gpu) -> Verdict {
         ensure(within == (each == 16), || format!("{} bytes", buffers.state_bytes()))?;
     }
     Ok(gpu.check()?)
+}
+
+/// What does not fit a buffer is an error that names what does not, and nothing is replaced: level ground may be edited at any moment, so
+/// that it holds no more patches than hills. Controls: as many as fit.
+pub(crate) fn room_ends(gpu: &Gpu) -> Verdict {
+    let world = world("(version: 1, stands: [(species: Meadow, cells: 256)])")?;
+    let mut state = world.state.stands[0].clone();
+    let mut buffers = CellBuffers::new(gpu, &world.model.stands[0], Precision::Half);
+    let mut reserved = |slot: u32, lag: u32, level: bool| {
+        let awake = Awake { slot, lag, rest: 0, fading: 0, woken: true, lag_woken: false, wind_only: false };
+        state.awake = [([0, 0], awake)].into();
+        buffers.reserve(gpu, &state, level).map(|_| buffers.state_bytes())
+    };
+    for level in [true, false] {
+        match reserved(170, NONE, level) {
+            Err(GpuError::TooManyCells { slots: 171, cells: 256, most: 170 }) => {}
+            other => return Err(format!("level {level}: {other:?}").into()),
+        }
+        match reserved(0, 85, level) {
+            Err(GpuError::TooManyLagCells { slots: 86, cells: 256, most: 85 }) => {}
+            other => return Err(format!("level {level}: {other:?}").into()),
+        }
+    }
+    let (some, most) = (reserved(1, 84, true)?, reserved(169, 84, true)?);
+    ensure(some < most, || format!("{some} and {most} bytes"))?;
+    // The same slots when the ground has risen.
+    ensure(reserved(169, 84, false)? == most, || "slots were lost".to_owned())
 }
 
 /// One dispatch per stage and step, and one per substep of the wave; bytes a cell and step.

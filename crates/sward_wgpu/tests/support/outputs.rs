@@ -10,6 +10,7 @@ use sward_wgpu::gpu::Gpu;
 use sward_wgpu::studio::{CellsAt, Studio};
 
 use crate::adapter::{Verdict, ensure};
+use crate::edited;
 use crate::reprojection::{CAR_PASS, FRAMES, Pair, SIZE, world};
 use crate::verdicts;
 
@@ -129,4 +130,43 @@ pub(crate) fn asking_for_outputs_changes_no_picture(gpu: &Gpu) -> Verdict {
     ensure(beside == alone, || "the picture is another one".to_owned())?;
     let earlier = studio.draw_before(gpu, &second, CellsAt::Cpu, 0.0, SIZE)?;
     ensure(earlier != alone, || "control: half a step later looks the same".to_owned())
+}
+
+/// At half precision, of cells here and there by turns. Control: of one's own frame before.
+pub(crate) fn cells_may_change_their_place(gpu: &Gpu) -> Verdict {
+    let mut world = world(&CAR_PASS.replace("budget: (", "budget: (precision: Half, "));
+    let mut step = GpuStep::new(gpu, &world)?;
+    let [mut turns, mut steady] = [Studio::new(gpu, &world)?, Studio::new(gpu, &world)?];
+    let mut before = None;
+    for frame in 0..5 {
+        while world.state.step < 54 + 3 * frame {
+            step.step(gpu, &mut world)?;
+        }
+        step.download(gpu, &mut world)?;
+        let here = if frame % 2 == 0 { CellsAt::Gpu(&step) } else { CellsAt::Cpu };
+        let ours = turns.draw_aov(gpu, &world, here, 0.5, SIZE)?.1;
+        let theirs = steady.draw_aov(gpu, &world, CellsAt::Gpu(&step), 0.5, SIZE)?.1;
+        agree(&format!("frame {frame}"), &ours, &theirs)?;
+        let moved = farthest(&theirs);
+        ensure((frame == 0) == (moved <= ROUNDING), || format!("control: frame {frame} moves by {moved}"))?;
+        if let Some(before) = before.replace(ours) {
+            ensure(agree("control: the frame before", &before, &theirs).is_err(), || "the frame before looks the same".to_owned())?;
+        }
+    }
+    Ok(gpu.check()?)
+}
+
+/// On both hosts alike. Control: the frame before.
+pub(crate) fn edited_ground_is_no_motion(gpu: &Gpu) -> Verdict {
+    let worlds = edited::worlds();
+    let mut studio = Studio::new(gpu, &worlds[0])?;
+    let mut draw = |world: &World| studio.draw_aov(gpu, world, CellsAt::Cpu, 0.0, SIZE).map(|(_, aov)| aov);
+    let theirs = [draw(&worlds[0])?, draw(&worlds[1])?];
+    let still = draw(&worlds[1])?;
+    studio.remember(gpu, &edited::always(&worlds), CellsAt::Cpu, 0.0)?;
+    let same = studio.draw_aov(gpu, &worlds[1], CellsAt::Cpu, 0.0, SIZE)?.1;
+    edited::verdict(&worlds, &theirs, &same, &still)?;
+    let ours = sward_raster::Studio::new(&worlds[0]).draw_aov(&worlds[1], &Past::of(&worlds[0], 0.0), 0.0, SIZE).1;
+    agree("edited", &ours, &theirs[1])?;
+    ensure(agree("control: the frame before", &ours, &theirs[0]).is_err(), || "the frame before looks the same".to_owned())
 }

@@ -19,18 +19,27 @@ fn continuum_propagate(co: ContinuumCoefficients, now: ContinuumCell, old: Conti
     return next;
 }
 
-fn continuum_limited(cell: ContinuumCell, slope: vec2<f32>) -> ContinuumCell {
+struct ContinuumLimited {
+    cell: ContinuumCell,
+    clamped: bool,
+}
+
+/// Goes by the comparisons alone: what is no number is over no limit.
+fn continuum_limited(cell: ContinuumCell, slope: vec2<f32>) -> ContinuumLimited {
     var next = cell;
+    var clamped = false;
     let limit = continuum_bend_limit(slope, cell.bend);
     let size = continuum_length(cell.bend);
     if size > limit {
         next.bend = cell.bend * (limit / size);
+        clamped = true;
     }
     let rate = continuum_length(cell.rate);
     if rate > CONTINUUM_RATE_LIMIT {
         next.rate = cell.rate * (CONTINUUM_RATE_LIMIT / rate);
+        clamped = true;
     }
-    return next;
+    return ContinuumLimited(next, clamped);
 }
 
 fn continuum_faded(cell: ContinuumCell, rest: vec2<f32>, keep: f32) -> ContinuumCell {

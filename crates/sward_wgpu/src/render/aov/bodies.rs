@@ -1,7 +1,6 @@
 //! The outputs of bodies.
 
 use sward::geometry::mesh::Vertex;
-use wgpu::util::DeviceExt;
 
 use super::super::bodies::{BodyPass, MOST, PARTS, VERTICES};
 use super::super::{PipelineParts, Slot, aov_pipeline, layout, shader};
@@ -68,10 +67,7 @@ impl Bodies {
         let then = before.bodies.iter().take(MOST);
         let then: Vec<BodyThen> = then.map(|body| BodyThen { transform: body.transform, number: [body.number, 0, 0, 0] }).collect();
         gpu.queue.write_buffer(&self.then, 0, bytemuck::cast_slice(&then));
-        let vertices = |contents| {
-            let usage = wgpu::BufferUsages::VERTEX;
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some("mesh before"), contents, usage })
-        };
+        let vertices = |contents: &[u8]| gpu.filled("mesh before", contents, wgpu::BufferUsages::VERTEX);
         before.meshes.iter().map(|(mesh, moved)| (*mesh, vertices(bytemuck::cast_slice(&moved.vertices)))).collect()
     }
 

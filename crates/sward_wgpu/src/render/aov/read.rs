@@ -48,14 +48,12 @@ fn words(gpu: &Gpu, texture: &wgpu::Texture, format: wgpu::TextureFormat, [width
             },
             wgpu::Extent3d { width, height: rows, depth_or_array_layers: 1 },
         );
-        gpu.queue.submit([encoder.finish()]);
-        buffer.slice(..).map_async(wgpu::MapMode::Read, |_| {});
-        gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| GpuError::Device(error.to_string()))?;
-        gpu.check()?;
-        let mapped = buffer.slice(..).get_mapped_range();
-        for line in mapped.chunks_exact(row as usize) {
-            words.extend(line[..used as usize].as_chunks::<4>().0.iter().map(|word| u32::from_le_bytes(*word)));
-        }
+        let submission = gpu.queue.submit([encoder.finish()]);
+        gpu.mapped(&buffer, buffer.size(), Some(submission), |mapped| {
+            for line in mapped.chunks_exact(row as usize) {
+                words.extend(line[..used as usize].as_chunks::<4>().0.iter().map(|word| u32::from_le_bytes(*word)));
+            }
+        })?;
     }
     Ok(words)
 }
