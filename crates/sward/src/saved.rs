@@ -50,6 +50,7 @@ struct Saved {
     pending_seconds: f64,
     dropped_steps: u64,
     edits: Edits,
+    edited_steps: u64,
     edited: Vec<PatchKey>,
     stands: Vec<SavedStand>,
 }
@@ -102,7 +103,8 @@ impl World {
             pending_seconds: state.pending_seconds,
             dropped_steps: state.dropped_steps,
             edits: self.model.terrain.edits().clone(),
-            edited: state.edited.iter().copied().collect(),
+            edited_steps: state.edited_steps,
+            edited: state.edited.union(&state.resampled).copied().collect(),
             stands: stands.collect(),
         };
         // Encoding plain data into memory cannot fail.
@@ -145,7 +147,9 @@ impl World {
             pinned: saved.pinned,
             pending_seconds: saved.pending_seconds,
             dropped_steps: saved.dropped_steps,
+            edited_steps: saved.edited_steps,
             edited: saved.edited.into_iter().collect(),
+            resampled: Default::default(),
             stands: Vec::new(),
         };
         if !state_is_sound(&state) {
@@ -256,5 +260,6 @@ fn state_is_sound(state: &State) -> bool {
     numbers.extend(state.focuses.iter().chain(&state.pinned).flatten());
     numbers.push(state.pending_seconds);
     // A step number below 2⁵³ is exact as a time.
-    numbers.iter().all(near) && state.pending_seconds >= 0.0 && state.step < 1 << 53
+    let counted = state.step < 1 << 53 && (state.step..=state.step + 1).contains(&state.edited_steps);
+    numbers.iter().all(near) && state.pending_seconds >= 0.0 && counted
 }

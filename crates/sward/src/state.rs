@@ -27,8 +27,13 @@ pub struct State {
     pub focuses: Vec<[f64; 2]>,
     /// Points set from code to be cared about instead of the camera's, m (x, z): for servers, replays and several players.
     pub pinned: Vec<[f64; 2]>,
-    /// Patches whose ground has changed since the last step.
+    /// Steps whose edits by the scene are in the ground: `step`, and one more between planning a step and its end. A step that is
+    /// planned again, because a backend could not take it, edits nothing twice.
+    pub edited_steps: u64,
+    /// Patches whose ground has changed since a step was last planned.
     pub edited: BTreeSet<PatchKey>,
+    /// Patches whose ground the step being taken samples again; empty between steps.
+    pub resampled: BTreeSet<PatchKey>,
     /// Wall-clock seconds handed in and not yet stepped.
     pub pending_seconds: f64,
     /// Steps that `advance` dropped because the caller came too late.

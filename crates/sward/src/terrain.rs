@@ -187,7 +187,7 @@ impl Terrain {
 
     /// Puts saved edits in place of those there are; false, and nothing changes, if they are none.
     pub(crate) fn put_edits(&mut self, saved: Edits) -> bool {
-        let replaced = self.edits.replaced(saved);
+        let replaced = self.edits.replaced(saved, self.heights.len());
         let sound = replaced.is_some();
         self.edits = replaced.unwrap_or_else(|| std::mem::take(&mut self.edits));
         sound

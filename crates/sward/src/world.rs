@@ -123,7 +123,7 @@ impl World {
 
     /// Ground → bodies → wind → activation: everything about the coming step that is decided before a cell moves.
     pub fn plan(&mut self) -> Plan {
-        self.apply_edits(self.time(), (self.state.step + 1) as f64 * self.model.dt);
+        self.edit_ground();
         let footprints = self.move_bodies();
         let camera = self.camera();
         self.state.focuses = if self.state.pinned.is_empty() { vec![camera.focus()] } else { self.state.pinned.clone() };
@@ -132,7 +132,6 @@ impl World {
             self.activate(index, footprints, &camera);
             stands.push(self.plan_stand(index, footprints));
         }
-        self.state.edited.clear();
         Plan { step: self.state.step, stands }
     }
 
@@ -171,7 +170,9 @@ impl World {
     pub fn end_step(&mut self) {
         for stand in &mut self.state.stands {
             stand.counters.patch_steps += stand.awake.len() as u64;
+            stand.counters.resampled += self.state.resampled.iter().filter(|patch| stand.awake.contains_key(*patch)).count() as u64;
         }
+        self.state.resampled.clear();
         self.state.step += 1;
     }
 
@@ -209,6 +210,15 @@ impl World {
             }
         }
         Ok(())
+    }
+
+    /// The scene's edits of the coming step, once however often it is planned, and the patches that all edits since the last one touch.
+    fn edit_ground(&mut self) {
+        let next = self.state.step + 1;
+        self.apply_edits(self.state.edited_steps as f64 * self.model.dt, next as f64 * self.model.dt);
+        self.state.edited_steps = next;
+        let edited = std::mem::take(&mut self.state.edited);
+        self.state.resampled.extend(edited);
     }
 
     /// What the scene edits after `from` and up to `to` \[s\], earliest first.
@@ -362,7 +372,6 @@ impl World {
         };
         let stand = &mut self.state.stands[index];
         activate(stand, &by);
-        stand.counters.resampled += self.state.edited.iter().filter(|patch| stand.awake.contains_key(*patch)).count() as u64;
     }
 
     fn plan_stand(&self, index: usize, footprints: &[Footprint]) -> StandPlan {
@@ -402,7 +411,7 @@ impl World {
                 neighbours: [slot(-1, 0), slot(1, 0), slot(0, -1), slot(0, 1)],
                 keep: keep(awake),
                 woken: awake.woken,
-                edited: self.state.edited.contains(patch),
+                edited: self.state.resampled.contains(patch),
                 lag_woken: awake.lag_woken,
                 pairs: first..plan.pairs.len(),
             });

@@ -40,6 +40,14 @@ impl<'a> Backend<'a> {
         Ok(())
     }
 
+    /// Waits until all steps are done.
+    pub(crate) fn wait(&mut self, world: &mut World) -> Result<(), Failure> {
+        if let Self::Gpu(gpu, step) = self {
+            step.wait(gpu, world)?;
+        }
+        Ok(())
+    }
+
     /// Brings the cells into `world.state`.
     pub(crate) fn fetch(&mut self, world: &mut World) -> Result<(), Failure> {
         if let Self::Gpu(gpu, step) = self {

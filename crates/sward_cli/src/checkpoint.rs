@@ -12,6 +12,7 @@ use sward::world::World;
 use crate::aov::{Description, Outputs};
 use crate::backend::Backend;
 use crate::failure::Failure;
+use crate::fingerprint::Fingerprint;
 use crate::output;
 use crate::scenes::Opened;
 
@@ -27,7 +28,7 @@ pub(crate) struct Settings {
     version: u32,
     /// Name of the scene.
     scene: String,
-    /// A hash of what its author wrote.
+    /// A hash of what its author wrote, and of the files it names.
     fingerprint: String,
     width: u32,
     height: u32,
@@ -39,14 +40,12 @@ pub(crate) struct Settings {
 
 impl Settings {
     /// Those of a sequence.
-    pub(crate) fn new(opened: &Opened, size: [u32; 2], fps: u32, aov: Option<&Outputs>) -> Self {
-        let words = format!("{:?}", opened.scene);
-        let hash = words.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    pub(crate) fn new(opened: &Opened, fingerprint: Fingerprint, size: [u32; 2], fps: u32, aov: Option<&Outputs>) -> Self {
         let [width, height] = size;
         Self {
             version: VERSION,
             scene: opened.name.clone(),
-            fingerprint: format!("{hash:016x}"),
+            fingerprint: fingerprint.to_string(),
             width,
             height,
             frames_per_second: fps,
@@ -56,7 +55,7 @@ impl Settings {
 
     /// Those of an earlier run; `None` where there was none.
     fn read(path: &Path) -> Result<Option<Self>, Failure> {
-        let help = format!("without --resume the sequence begins anew; or remove {}", path.display());
+        let help = "without --resume the sequence begins anew";
         let refuse = |why: String| Failure::input(format!("{} does not say what frames lie beside it: {why}", path.display()), help);
         let text = match std::fs::read_to_string(path) {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
@@ -83,7 +82,7 @@ impl Settings {
             return Some(format!("they show `{}`", other.scene));
         }
         if self.fingerprint != other.fingerprint {
-            return Some(format!("`{}` has been changed since", self.scene));
+            return Some(format!("`{}` or a file it names has been changed since", self.scene));
         }
         if size(self) != size(other) {
             return Some(format!("they are {} pixels", size(other)));
@@ -102,28 +101,37 @@ pub(crate) struct Checkpoint {
     /// Time between two saved states.
     every: Duration,
     saved: Instant,
-    /// Whether frames of an earlier run are kept.
+    /// Whether frames of an earlier run are not drawn again.
     resume: bool,
+    /// Whether frames of an earlier run are of this sequence.
+    agrees: bool,
 }
 
 impl Checkpoint {
     /// Looks at the folder; writes nothing.
     ///
     /// # Errors
-    /// With `resume`: the folder holds frames of another sequence.
+    /// With `resume`: the folder holds frames of another sequence, or of which nothing is known.
     pub(crate) fn open(folder: &Path, settings: Settings, every: f64, resume: bool) -> Result<Self, Failure> {
-        if resume && let Some(found) = Settings::read(&folder.join(SETTINGS))? {
-            if let Some(difference) = settings.difference(&found) {
+        let found = Settings::read(&folder.join(SETTINGS));
+        let agrees = matches!(&found, Ok(Some(found)) if settings.difference(found).is_none());
+        if resume && !agrees {
+            let shown = folder.display();
+            if let Some(difference) = found?.and_then(|found| settings.difference(&found)) {
                 let help = "type what was typed then, or another folder: -o DIR/";
-                let shown = folder.display();
                 return Err(Failure::input(format!("the frames in {shown} are of another sequence: {difference}"), help));
+            }
+            if folder.join(STATE).exists() || !output::frames(folder)?.is_empty() {
+                let help = "without --resume the sequence begins anew, and these frames are removed; or type another folder: -o DIR/";
+                return Err(Failure::input(format!("there are frames in {shown}, but no {SETTINGS} says what they are of"), help));
             }
         }
         let every = Duration::try_from_secs_f64(every).unwrap_or(Duration::MAX);
-        Ok(Self { folder: folder.to_owned(), settings, every, saved: Instant::now(), resume })
+        Ok(Self { folder: folder.to_owned(), settings, every, saved: Instant::now(), resume, agrees })
     }
 
-    /// Makes the folder ready: says what its frames will be, and clears away what an interrupted run left unfinished.
+    /// Makes the folder ready: clears away what an interrupted run left unfinished and frames of other sequences, which no later run shall
+    /// take for this one's, and says what its frames will be.
     ///
     /// # Errors
     /// The folder cannot be written to.
@@ -131,6 +139,10 @@ impl Checkpoint {
         output::remove_unfinished(&self.folder)?;
         if !self.resume {
             output::remove(&self.folder.join(STATE))?;
+        }
+        // Before the settings: whoever interrupts this leaves other settings, or none, beside what is left of those frames.
+        if !self.agrees {
+            output::remove_frames(&self.folder)?;
         }
         let text = serde_json::to_string_pretty(&self.settings).unwrap_or_default();
         output::write_whole(&self.folder.join(SETTINGS), |writer| writeln!(writer, "{text}"))
@@ -189,4 +201,17 @@ impl Checkpoint {
     pub(crate) fn finish(&self) -> Result<(), Failure> {
         output::remove(&self.folder.join(STATE))
     }
+}
+
+/// Removes a sequence whose clip is whole, and its folder if nothing else is in it.
+///
+/// # Errors
+/// A file cannot be removed.
+pub(crate) fn remove_sequence(folder: &Path) -> Result<(), Failure> {
+    output::remove_unfinished(folder)?;
+    output::remove_frames(folder)?;
+    output::remove(&folder.join(SETTINGS))?;
+    // What others put there stays, and so does the folder.
+    let _ = std::fs::remove_dir(folder);
+    Ok(())
 }

@@ -120,6 +120,12 @@ impl From<GpuError> for Failure {
             (GpuError::OutOfMemory { .. }, _) => Self::failed(text).help(
                 "type a smaller --size, or lower budget.patches, budget.visible_plants or a stand's cells in the scene; or do without a graphics card: --on cpu --draw cpu",
             ),
+            (GpuError::UnknownAdapter { .. }, _) => {
+                Self::input(text, "set SWARD_ADAPTER to a part of one of these names, or unset it; or do without a graphics card: --on cpu --draw cpu")
+            }
+            (GpuError::TooManyCells { .. }, Some((what, advice))) => {
+                Self::input(what, format!("{advice} in the scene; or do without a graphics card: --on cpu --draw cpu"))
+            }
             _ => Self::failed(text),
         }
     }
@@ -128,6 +134,19 @@ impl From<GpuError> for Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_was_asked_for_and_is_not_there_is_wrong_input() {
+        let unknown = Failure::from(GpuError::UnknownAdapter { wanted: "fast".to_owned(), found: "slow".to_owned() });
+        let many = Failure::from(GpuError::TooManyCells { slots: 4096, cells: 256, most: 128 });
+        for (failure, words) in [(unknown, ["slow", "unset it"]), (many, ["holds 128", "budget.patches"])] {
+            let help = failure.help.clone().unwrap_or_default();
+            assert_eq!(failure.status, 2);
+            assert!(failure.message.contains(words[0]) && help.contains(words[1]) && help.contains("--on cpu"), "{failure:?}");
+        }
+        let none = Failure::from(GpuError::NoAdapter);
+        assert!(none.status == 1 && none.help.is_some(), "control: a machine without an adapter is no wrong input");
+    }
 
     #[test]
     fn lost_and_full_devices_fail_with_a_way_out() {

@@ -11,6 +11,7 @@ mod clip;
 mod commands;
 mod console;
 mod failure;
+mod fingerprint;
 mod output;
 mod progress;
 mod scenes;

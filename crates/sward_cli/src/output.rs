@@ -129,21 +129,44 @@ pub(crate) fn remove_unfinished(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Removes the frames of a clip that is whole, and their folder if nothing else is in it.
+/// The frames that lie in a folder, and outputs beside them: `frame_`, digits, and an ending of theirs.
+pub(crate) fn frames(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let entries = match std::fs::read_dir(folder) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries.map_err(|error| cannot_write(folder, &error))?,
+    };
+    let is_frame = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let number = name.strip_prefix("frame_").and_then(|name| name.split_once('.'));
+        number.is_some_and(|(number, ending)| {
+            let digits = !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit());
+            digits && (["png", "exr"].contains(&ending) || ending.ends_with(".npy"))
+        })
+    };
+    Ok(entries.flatten().map(|entry| entry.path()).filter(is_frame).collect())
+}
+
+/// Removes the frames of a folder, and outputs beside them.
 pub(crate) fn remove_frames(folder: &Path) -> Result<(), Failure> {
-    remove_unfinished(folder)?;
-    let entries = std::fs::read_dir(folder).map_err(|error| cannot_write(folder, &error))?;
-    for entry in entries.flatten() {
-        let name = entry.file_name().to_string_lossy().into_owned();
-        let number = name.strip_prefix("frame_").and_then(|name| name.strip_suffix(".png"));
-        let ours = name == "frames.json" || number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
-        if ours {
-            remove(&entry.path())?;
-        }
+    frames(folder)?.iter().try_for_each(|frame| remove(frame))
+}
+
+/// Refuses a folder where a file is to be written.
+pub(crate) fn file(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() {
+        let shown = path.display();
+        return Err(Failure::input(
+            format!("{shown} is a folder, but a file is to be written there"),
+            "remove it, or type another place: -o …",
+        ));
     }
-    // What others put there stays, and so does the folder.
-    let _ = std::fs::remove_dir(folder);
     Ok(())
+}
+
+/// A file to write beside a picture: tried now, not after the work.
+pub(crate) fn beside(path: &Path) -> Result<(), Failure> {
+    file(path)?;
+    probe(&partial(path)).map_err(|error| unwritable(path, &error, "type a shorter name: -o FILE.png"))
 }
 
 /// Writes a file under another name first: whoever looks sees the old file or the whole new one.

@@ -7,6 +7,7 @@ use sward::scene::Scene;
 use sward::world::World;
 
 use crate::failure::Failure;
+use crate::fingerprint::{Fingerprint, Witness};
 
 /// A larger file is no scene, bytes.
 const LARGEST: u64 = 16 << 20;
@@ -86,8 +87,15 @@ pub(crate) struct Opened {
 impl Opened {
     /// The world at time 0.
     pub(crate) fn world(&self) -> Result<World, Failure> {
+        Ok(self.world_and_fingerprint()?.0)
+    }
+
+    /// The world at time 0, and the fingerprint of the scene and of the files it was made of.
+    pub(crate) fn world_and_fingerprint(&self) -> Result<(World, Fingerprint), Failure> {
         let [text, file] = &self.source;
-        Ok(World::new(self.scene.clone(), &*self.assets).map_err(|error| error.located(text, file))?)
+        let witness = Witness::new(&self.scene, &*self.assets);
+        let world = World::new(self.scene.clone(), &witness).map_err(|error| error.located(text, file))?;
+        Ok((world, witness.seen()))
     }
 }
 

@@ -8,11 +8,12 @@ use sward_wgpu::gpu::Gpu;
 fn main() {
     let arguments = Arguments::from_args();
     let missing = Gpu::new().is_err() && std::env::var_os("CI").is_none();
-    let tests: [(&str, fn()); 9] = [
+    let tests: [(&str, fn()); 10] = [
         ("without_arguments_a_first_picture_is_made", without_arguments_a_first_picture_is_made),
         ("render_writes_one_picture_of_the_asked_size", render_writes_one_picture_of_the_asked_size),
         ("render_writes_a_sequence_of_frames", render_writes_a_sequence_of_frames),
         ("render_refuses_what_the_adapter_cannot_draw", render_refuses_what_the_adapter_cannot_draw),
+        ("more_cells_than_a_buffer_holds_are_refused", more_cells_than_a_buffer_holds_are_refused),
         ("compare_finds_agreement", compare_finds_agreement),
         ("compare_shows_what_half_precision_costs", compare_shows_what_half_precision_costs),
         ("bench_times_every_pass_on_the_device", bench_times_every_pass_on_the_device),
@@ -80,6 +81,25 @@ fn render_refuses_what_the_adapter_cannot_draw() {
     Place::with_small("too_large").refuses(&["render", "small.ron", "--size", "16384x16"], &["too large", "--size"]);
 }
 
+fn more_cells_than_a_buffer_holds_are_refused() {
+    let place = Place::new("too_many_cells");
+    let simulate = |patches: u32| {
+        let text = format!(
+            "(version: 1, field: (patch_side: 8), stands: [(species: Meadow, cells: 256)], wind: [Natural()], budget: (patches: {patches}))"
+        );
+        place.write("many.ron", text);
+        place.sward(&["simulate", "many.ron", "--steps", "1", "--on", "gpu", "-o", "data"])
+    };
+    let ran = simulate(512);
+    assert_eq!((ran.status, ran.text.as_str()), (2, ""), "{}", ran.errors);
+    for words in ["do not fit one buffer", "help: ", "ower budget.patches", "--on cpu"] {
+        assert!(ran.errors.contains(words), "{}", ran.errors);
+    }
+    assert_eq!(place.files(), ["data", "many.ron"], "no array and no manifest");
+    let control = simulate(16);
+    assert_eq!(control.status, 0, "{}", control.errors);
+}
+
 fn compare_finds_agreement() {
     let text = said(&Place::with_small("compare"), &["compare", "small.ron", "--steps", "40"]);
     for word in ["activation", "bend", "rate", "upper segments", "p99.9", "outliers", "Tolerance"] {
@@ -108,7 +128,8 @@ fn bench_times_every_pass_on_the_device() {
     };
     let (full, half) = (measured("full"), measured("half"));
     let number = |value: &serde_json::Value| value.as_f64().expect("a number");
-    for (report, each) in [(&full, 32.0), (&half, 16.0)] {
+    for (report, each, precision) in [(&full, 32.0, "full"), (&half, 16.0, "half")] {
+        assert_eq!(report["precision"], precision);
         assert_eq!(number(&report["memory"]["state"]), each * number(&report["memory"]["cells_awake"]));
         assert!(number(&report["memory"]["state_allocated"]) >= number(&report["memory"]["state"]));
         assert!(number(&report["counters"]["bytes_moved"]) > 1.4 * each * number(&report["counters"]["cell_steps"]));

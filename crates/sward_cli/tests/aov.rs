@@ -3,6 +3,7 @@
 mod support;
 use std::collections::BTreeMap;
 
+use exr::prelude::FlatSamples;
 use support::Place;
 
 const SEQUENCE: [&str; 10] = ["render", "small.ron", "--fps", "24", "--size", "64x36", "--draw", "cpu", "--aov", "depth,motion,plant"];
@@ -73,6 +74,36 @@ fn pieces_fit_together_and_go_on() {
     place.refuses(&other, &["of another sequence", "--aov"]);
 }
 
+/// Name of each channel, and its samples as words of four bytes.
+fn channels(place: &Place, file: &str) -> BTreeMap<String, Vec<u32>> {
+    let image = exr::prelude::read_first_flat_layer_from_file(place.0.join(file)).expect("OpenEXR");
+    let words = |samples: &FlatSamples| match samples {
+        FlatSamples::F32(values) => values.iter().map(|value| value.to_bits()).collect(),
+        FlatSamples::U32(values) => values.clone(),
+        FlatSamples::F16(_) => panic!("half of the bits are lost"),
+    };
+    let list = image.layer_data.channel_data.list.iter();
+    list.map(|channel| (channel.name.to_string(), words(&channel.sample_data))).collect()
+}
+
+/// Both formats hold the same bits.
+#[test]
+fn images_hold_what_arrays_hold() {
+    let place = Place::with_small("aov_exr");
+    let single = ["--time", "1", "-o", "one.png"];
+    place.sward(&sequence(&single)).done();
+    place.sward(&sequence(&[&single[..], &["--aov-format", "exr"]].concat())).done();
+    let channels = channels(&place, "one.exr");
+    assert_eq!(channels.keys().collect::<Vec<_>>(), ["Z", "motion.X", "motion.Y", "plant"]);
+    let [depth, motion, plant] = ["depth", "motion", "plant"].map(|name| array(&place, &format!("one.{name}.npy")).1);
+    let axis = |first: usize| motion.iter().skip(first).step_by(2).copied().collect::<Vec<_>>();
+    assert!([&depth, &plant, &axis(0)].iter().all(|values| values.len() == 64 * 36));
+    for (name, array) in [("Z", depth), ("motion.X", axis(0)), ("motion.Y", axis(1)), ("plant", plant)] {
+        assert!(channels[name] == array, "{name} is not what the array holds");
+    }
+    assert!(channels["motion.X"] != axis(1), "control: the two axes can be told apart");
+}
+
 #[test]
 fn one_picture_has_outputs_too() {
     let place = Place::with_small("aov_single");
@@ -84,6 +115,27 @@ fn one_picture_has_outputs_too() {
     place.sward(&single).done();
     let (_, motion) = array(&place, "one.motion.npy");
     assert!(motion.iter().any(|bits| f32::from_bits(*bits).abs() > 0.1), "the frame before is one interval ago");
+}
+
+/// Before the work: a folder in the way, and a name that is too long for an output but not for the picture.
+#[test]
+fn outputs_that_cannot_be_written_are_refused() {
+    let place = Place::with_small("aov_in_the_way");
+    for (folder, more) in [
+        ("one.motion.npy", &["-o", "one.png", "--time", "0"][..]),
+        ("one.exr", &["-o", "one.png", "--time", "0", "--aov-format", "exr"]),
+        ("one.aov.json", &["-o", "one.png", "--time", "0"]),
+        ("clip/frame_0001.plant.npy", &["--frames", "0..2", "-o", "clip"]),
+        ("clip/frame_0001.png", &["--frames", "0..2", "-o", "clip"]),
+    ] {
+        std::fs::create_dir_all(place.0.join(folder)).expect("writable");
+        place.refuses(&sequence(more), &[folder, "is a folder", "help: ", "-o"]);
+        std::fs::remove_dir(place.0.join(folder)).expect("nothing is in it");
+    }
+    let long = format!("{}.png", "x".repeat(236));
+    place.refuses(&sequence(&["--time", "0", "-o", &long]), &["cannot write to xxx", ".npy", "help: "]);
+    std::fs::create_dir_all(place.0.join("one.exr")).expect("writable");
+    place.sward(&sequence(&["--time", "0", "-o", "one.png"])).done();
 }
 
 #[test]

@@ -6,10 +6,14 @@ use support::Place;
 fn measured(place: &Place, scene: &str, folder: &str) -> serde_json::Value {
     let arguments = ["bench", scene, "--steps", "12", "--warm-up", "3", "--size", "48x27", "--draw", "cpu", "-o", folder];
     let table = place.sward(&arguments).done();
-    for word in ["stage", "p50 ms", "response", "picture", "triad", "MB of state"] {
+    for word in ["stage", "p50 ms", "contact", "picture", "triad", "MB of state", "at full precision"] {
         assert!(table.contains(word), "no `{word}` in\n{table}");
     }
-    serde_json::from_str(&std::fs::read_to_string(place.0.join(folder).join("bench.json")).expect("written")).expect("JSON")
+    let report: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(place.0.join(folder).join("bench.json")).expect("written")).expect("JSON");
+    // Where no cell is touched there is no speed to tell.
+    assert_eq!(table.contains("response: "), report["counters"]["cell_steps"] != 0, "{table}");
+    report
 }
 
 #[test]
@@ -30,8 +34,42 @@ fn bench_counts_the_same_work_every_time_and_times_every_stage() {
     assert!(stages.iter().all(|row| number(&row["p50_ms"]) > 0.0 && number(&row["p95_ms"]) >= number(&row["p50_ms"])));
     let csv = std::fs::read_to_string(place.0.join("first/bench.csv")).expect("written");
     assert_eq!(csv.lines().count(), 1 + stages.len());
+    assert!(csv.lines().skip(1).all(|line| line.starts_with("\"small\",\"the CPU\",\"")), "{csv}");
+    assert_eq!(first["precision"], "full");
+    let named = std::fs::read_to_string("/proc/cpuinfo").is_ok_and(|text| text.contains("model name"));
+    assert_eq!(first["processor"].as_str().is_some_and(|name| !name.is_empty()), named);
     // Without wind and bodies everything sleeps: no cell is touched.
     place.write("still.ron", "(version: 1, stands: [(species: Meadow)])");
     let still = measured(&place, "still.ron", "still");
     assert_eq!((number(&still["counters"]["cell_steps"]), number(&still["memory"]["state"])), (0.0, 0.0));
+}
+
+#[test]
+fn the_threads_are_those_of_the_step() {
+    let place = Place::with_small("bench_threads");
+    for threads in ["1", "3"] {
+        let arguments = ["bench", "small.ron", "--steps", "1", "--warm-up", "0", "--size", "16x9", "--draw", "cpu"];
+        let ran = place.sward_with(&arguments, &[("RAYON_NUM_THREADS", threads)]);
+        assert!(ran.status == 0 && ran.text.contains(&format!(" {threads} threads")), "{}{}", ran.text, ran.errors);
+    }
+}
+
+/// Commas and quotes in a scene's name do not become columns.
+#[test]
+fn names_are_quoted_in_csv() {
+    let place = Place::new("bench_quoted");
+    place.write("a, \"b\".ron", support::SMALL);
+    measured(&place, "a, \"b\".ron", "data");
+    let csv = std::fs::read_to_string(place.0.join("data/bench.csv")).expect("written");
+    assert!(csv.lines().skip(1).all(|line| line.starts_with("\"a, \"\"b\"\"\",\"the CPU\",")), "{csv}");
+}
+
+/// What was measured is said, though the place for it is gone.
+#[test]
+fn figures_that_cannot_be_written_are_said() {
+    let place = Place::with_small("bench_unwritten");
+    std::fs::create_dir_all(place.0.join("data/bench.json")).expect("writable");
+    let arguments = ["bench", "small.ron", "--steps", "1", "--warm-up", "0", "--size", "16x9", "--draw", "cpu", "-o", "data"];
+    let ran = place.sward(&arguments);
+    assert!(ran.status == 1 && ran.text.contains("triad") && ran.errors.contains("bench.json"), "{}{}", ran.text, ran.errors);
 }

@@ -58,8 +58,11 @@ fn fails_with_exclusions_masks_and_edits_that_cannot_be() {
         ),
         ("exclusions: [(area: Disk(radius: 2))]", &["x.ron:4:", "did you mean `Disc`?"]),
         ("masks: [(path: \"\", size: (9, 9))]", &["x.ron:4:", "`path` is empty"]),
-        ("masks: [(path: \"maps/none.png\", size: (9, 9))]", &["maps/none.png", "cannot be read"]),
-        ("masks: [(path: \"maps/text.png\", size: (9, 9))]", &["maps/text.png", "not a readable PNG"]),
+        ("masks: [(path: \"maps/none.png\", size: (9, 9))]", &["x.ron:4:20: maps/none.png", "cannot be read", "type a path"]),
+        (
+            "masks: [(path: \"maps/text.png\", size: (9, 9))]",
+            &["x.ron:4:20: maps/text.png", "not a readable PNG", "export it as a grey PNG of 8 or 16 bits"],
+        ),
         ("edits: [(radius: 0.1, change: Flatten())]", &["x.ron:4:", "`radius` is 0.1 m, allowed 0.5 to 200"]),
         ("edits: [(change: Flatten()), (at: (9000, 9000), change: Flatten())]", &["x.ron:4:", "span 9006 m x 9006 m", "680 m"]),
     ] {

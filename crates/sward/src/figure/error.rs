@@ -23,6 +23,14 @@ pub enum FigureError {
         /// What is wrong there.
         what: String,
     },
+    /// A texture that cannot be decoded.
+    #[error("the texture {image} {what}; export it with PNG or JPEG textures of at most 8192 x 8192 pixels")]
+    Texture {
+        /// Which, by number and, if it has one, name: `images[3] "wood"`.
+        image: String,
+        /// What is wrong with it.
+        what: String,
+    },
     /// There is nothing to collide with.
     #[error("there are no triangles in its scene; export meshes, not only cameras, lights or curves")]
     NoTriangles,

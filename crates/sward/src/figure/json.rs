@@ -213,6 +213,7 @@ pub(super) struct Texture {
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub(super) struct Image {
+    pub(super) name: Option<String>,
     pub(super) uri: Option<String>,
     pub(super) buffer_view: Option<usize>,
 }

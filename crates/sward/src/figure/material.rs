@@ -49,16 +49,21 @@ impl Picture {
     }
 }
 
-/// The picture of a texture; `None` for one that cannot be decoded: a body in plain colours beats no body.
-fn decode(bytes: &[u8]) -> Option<Picture> {
-    let format = image::guess_format(bytes).ok().filter(|format| matches!(format, ImageFormat::Png | ImageFormat::Jpeg))?;
+/// The picture of a texture. Errors: in words that follow its name.
+fn decode(bytes: &[u8]) -> Result<Picture, String> {
+    let known = image::guess_format(bytes).ok().filter(|format| matches!(format, ImageFormat::Png | ImageFormat::Jpeg));
+    let format = known.ok_or("is neither a PNG nor a JPEG")?;
+    let cannot = |error: image::ImageError| format!("cannot be decoded: {error}");
+    let (width, height) = ImageReader::with_format(Cursor::new(bytes), format).into_dimensions().map_err(cannot)?;
+    if !(1..=LARGEST).contains(&width) || !(1..=LARGEST).contains(&height) {
+        return Err(format!("is {width} x {height} pixels"));
+    }
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::default();
     (limits.max_image_width, limits.max_image_height) = (Some(LARGEST), Some(LARGEST));
     reader.limits(limits);
-    let picture = reader.decode().ok()?.into_rgb8();
-    let size = [picture.width(), picture.height()];
-    (size[0] > 0 && size[1] > 0).then(|| Picture { size, texels: picture.pixels().map(|pixel| pixel.0).collect() })
+    let picture = reader.decode().map_err(cannot)?.into_rgb8();
+    Ok(Picture { size: [width, height], texels: picture.pixels().map(|pixel| pixel.0).collect() })
 }
 
 /// Pixels that a picture's header announces; 0 for what is no picture.
@@ -68,30 +73,33 @@ fn announced(bytes: &[u8]) -> u64 {
     size.map_or(0, |(width, height)| u64::from(width) * u64::from(height))
 }
 
-/// All pictures that base colours use, by image.
+/// All pictures that base colours use, by image. How many pixels there are is looked at before any is decoded.
 pub(super) fn pictures(opened: &Opened<'_>) -> Result<Vec<Option<Picture>>, FigureError> {
     let root = &opened.root;
-    let mut pictures: Vec<Option<Picture>> = (0..root.images.len()).map(|_| None).collect();
-    let (mut texels, mut seen) = (0, vec![false; root.images.len()]);
+    let mut files: Vec<Option<Cow<'_, [u8]>>> = vec![None; root.images.len()];
+    let mut texels = 0;
     for index in 0..root.materials.len() {
-        let Some(image) = image_of(root, index)? else { continue };
-        if !std::mem::replace(&mut seen[image], true) {
-            let place = format!("images[{image}]");
-            let source = &root.images[image];
-            let bytes = match (&source.uri, source.buffer_view) {
-                (_, Some(view)) => Cow::Borrowed(opened.view(view, &place)?.0),
-                (Some(uri), None) => Cow::Owned(resolve(uri, opened.neighbour, &place)?),
-                (None, None) => continue,
-            };
-            texels += announced(&bytes);
-            if texels > MOST_TEXELS {
-                let instead = "export smaller textures, like 1024 x 1024";
-                return Err(FigureError::TooMany { what: "pixels in its textures", found: texels, most: MOST_TEXELS, instead });
-            }
-            pictures[image] = decode(&bytes);
+        let Some(image) = image_of(root, index)?.filter(|image| files[*image].is_none()) else { continue };
+        let place = format!("images[{image}]");
+        let source = &root.images[image];
+        let bytes = match (&source.uri, source.buffer_view) {
+            (_, Some(view)) => Cow::Borrowed(opened.view(view, &place)?.0),
+            (Some(uri), None) => Cow::Owned(resolve(uri, opened.neighbour, &place)?),
+            (None, None) => continue,
+        };
+        texels += announced(&bytes);
+        if texels > MOST_TEXELS {
+            let instead = "export smaller textures, like 1024 x 1024";
+            return Err(FigureError::TooMany { what: "pixels in its textures", found: texels, most: MOST_TEXELS, instead });
         }
+        files[image] = Some(bytes);
     }
-    Ok(pictures)
+    let picture = |(index, bytes): (usize, Option<Cow<'_, [u8]>>)| {
+        let name = root.images[index].name.as_ref().map_or_else(String::new, |name| format!(" {name:?}"));
+        let bad = |what| FigureError::Texture { image: format!("images[{index}]{name}"), what };
+        bytes.map(|bytes| decode(&bytes).map_err(bad)).transpose()
+    };
+    files.into_iter().enumerate().map(picture).collect()
 }
 
 fn image_of(root: &Root, material: usize) -> Result<Option<usize>, FigureError> {

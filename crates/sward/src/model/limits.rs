@@ -43,7 +43,8 @@ pub(super) fn of(scene: &Scene, assets: &dyn Assets) -> Result<Vec<Named>, Scene
     for (index, mask) in scene.masks.iter().enumerate() {
         let trail = Trail::default().key("masks").index(index).key("path");
         let bytes = super::read(&mask.path, &trail, assets)?;
-        let bad = |message: String| SceneError::in_file(&mask.path, message).named_by(trail.clone());
+        let help = "export it as a grey PNG of 8 or 16 bits, at most 2048 pixels a side";
+        let bad = |message: String| SceneError::in_file(&mask.path, message).named_by(trail.clone()).advise(help);
         let image = Arc::new(MaskImage::from_png(&bytes).map_err(bad)?);
         let limit = Limit {
             outline: Outline::of_mask(mask, image),

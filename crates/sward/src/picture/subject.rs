@@ -111,6 +111,10 @@ impl Frame {
         let limits = &world.model.limits;
         let at = [self.corner[0] + f64::from(eye.x), self.corner[1] + f64::from(eye.z)];
         let away = |limit: &Limit| {
+            // What limits growth outside its picture too is everywhere.
+            if limit.outside < 1.0 {
+                return 0.0;
+            }
             let [low, high] = limit.outline.bounds();
             let off = [0, 1].map(|axis| (low[axis] - at[axis]).max(at[axis] - high[axis]).max(0.0));
             off[0].hypot(off[1])

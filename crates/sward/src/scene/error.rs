@@ -26,18 +26,19 @@ pub struct SceneError {
     /// The whole text of the file.
     pub text: String,
     /// The way to the value that names the file at fault, where that is not the scene itself.
-    named_by: Trail,
+    /// Boxed: errors travel in every result.
+    named_by: Box<Trail>,
 }
 
 impl SceneError {
     /// A file that the scene names, not the scene itself, is at fault.
     pub(crate) fn in_file(file: &str, message: String) -> Self {
-        Self { file: file.to_owned(), line: 0, column: 0, message, help: None, text: String::new(), named_by: Trail::default() }
+        Self { file: file.to_owned(), line: 0, column: 0, message, help: None, text: String::new(), named_by: Box::default() }
     }
 
     /// Says which value of the scene names the file at fault.
     pub(crate) fn named_by(self, trail: Trail) -> Self {
-        Self { named_by: trail, ..self }
+        Self { named_by: Box::new(trail), ..self }
     }
 
     /// Adds what to do about it.
@@ -84,7 +85,7 @@ impl SceneError {
     pub(super) fn from_reader(error: &ron::error::SpannedError, text: &str, file: &str) -> Self {
         let (message, help) = explain::explain(&error.code);
         let (line, column) = locate::line_and_column(text, reader_offset(error, text));
-        Self { file: file.to_owned(), line, column, message, help, text: text.to_owned(), named_by: Trail::default() }
+        Self { file: file.to_owned(), line, column, message, help, text: text.to_owned(), named_by: Box::default() }
     }
 
     /// A problem found after reading, with its place looked up in the text.
@@ -97,7 +98,7 @@ impl SceneError {
             message: problem.message,
             help: problem.help,
             text: text.to_owned(),
-            named_by: Trail::default(),
+            named_by: Box::default(),
         }
     }
 }
@@ -124,7 +125,7 @@ impl From<Problem> for SceneError {
             message: format!("{path}{colon}{}", problem.message),
             help: problem.help,
             text: String::new(),
-            named_by: Trail::default(),
+            named_by: Box::default(),
         }
     }
 }

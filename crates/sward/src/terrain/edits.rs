@@ -81,14 +81,19 @@ impl Edits {
         if changes < self.laid || behind > self.recent.len() { None } else { Some(&self.recent[self.recent.len() - behind..]) }
     }
 
-    /// A saved grid in place of this one; `None` if it is none.
-    pub(crate) fn replaced(&self, saved: Edits) -> Option<Self> {
+    /// Most samples over a terrain of `base` of them: both share one buffer.
+    fn most(base: usize) -> u64 {
+        MAX_EDIT_SAMPLES.min(u64::from(MAX_SAMPLES).saturating_sub(base as u64))
+    }
+
+    /// A saved grid in place of this one; `None` if it is none. `base`: samples of the terrain below.
+    pub(super) fn replaced(&self, saved: Edits, base: usize) -> Option<Self> {
         let [columns, rows] = saved.size.map(u64::from);
         let near = saved.first.iter().all(|first| (-(1 << 40)..=1 << 40).contains(first));
         let sound = near && columns <= MAX_EDIT_SAMPLES && rows <= MAX_EDIT_SAMPLES && columns * rows == saved.heights.len() as u64;
         let low = saved.heights.iter().all(|height| height.abs() <= 1e5);
         let changes = self.changes + 1;
-        (sound && low && columns * rows <= MAX_EDIT_SAMPLES).then_some(Self { changes, laid: changes, recent: Vec::new(), ..saved })
+        (sound && low && columns * rows <= Self::most(base)).then_some(Self { changes, laid: changes, recent: Vec::new(), ..saved })
     }
 
     /// Makes room for a square round `at` \[m\]; `base`: samples of the terrain below.
@@ -103,15 +108,10 @@ impl Edits {
             }
         }
         let size = [0, 1].map(|axis| (high[axis] - low[axis]) as u64);
-        let most = MAX_EDIT_SAMPLES.min(u64::from(MAX_SAMPLES).saturating_sub(base as u64));
+        let most = Self::most(base);
         if size[0].saturating_mul(size[1]) > most {
-            let [x, z] = size.map(|samples| samples as f64 * EDIT_SPACING);
-            let found = format!("{x} m x {z} m");
-            return Err(TerrainError::Value {
-                key: "edits",
-                found,
-                allowed: "a rectangle round all of them of at most 524288 square metres",
-            });
+            let size = size.map(|samples| samples as f64 * EDIT_SPACING);
+            return Err(TerrainError::Scattered { size, most: most as f64 * EDIT_SPACING * EDIT_SPACING });
         }
         let size = size.map(|samples| samples as u32);
         if size != self.size || low != self.first {

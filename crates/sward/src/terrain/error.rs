@@ -27,6 +27,17 @@ pub enum TerrainError {
         /// What may stand there.
         allowed: &'static str,
     },
+    /// All edits together lie too far apart.
+    #[error(
+        "the terrain's `edits` is {} m x {} m, allowed is a rectangle round all of them of at most {most} square metres: what the terrain's own samples leave",
+        .size[0], .size[1]
+    )]
+    Scattered {
+        /// Sides of the rectangle round them, m.
+        size: [f64; 2],
+        /// Its largest area over this terrain, m².
+        most: f64,
+    },
     /// The image is not a readable PNG.
     #[error(
         "the terrain's image is not a readable PNG: {0}; expected is a 16-bit grey PNG, or a TIFF: export it again (gdal_translate -ot UInt16 -of PNG)"

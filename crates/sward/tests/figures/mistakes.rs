@@ -17,6 +17,7 @@ pub(crate) const TESTS: &[Test] = &[
     ("scenes_name_the_file_and_the_way_out", scenes_name_the_file_and_the_way_out),
     ("sparse_accessors_replace_elements", sparse_accessors_replace_elements),
     ("small_files_cannot_ask_for_all_memory", small_files_cannot_ask_for_all_memory),
+    ("textures_that_cannot_be_decoded_are_named", textures_that_cannot_be_decoded_are_named),
     ("mutated_files_never_panic", mutated_files_never_panic),
     ("mutated_words_never_panic", mutated_words_never_panic),
 ];
@@ -218,6 +219,36 @@ fn small_files_cannot_ask_for_all_memory() {
         painted.push("materials", json!({"pbrMetallicRoughness": {"baseColorTexture": {"index": texture}}}));
         let found = message(&painted.bytes());
         assert_eq!(found.contains("pixels in its textures, at most 134217728 are read; export smaller"), number == 2, "{found}");
+    }
+}
+
+/// A body is not painted plain because its texture is damaged: the file is refused, as every damaged picture.
+fn textures_that_cannot_be_decoded_are_named() {
+    let picture = |width: u32, format: image::ImageFormat| {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        image::RgbImage::new(width, 1).write_to(&mut bytes, format).expect("in memory");
+        bytes.into_inner()
+    };
+    let painted = |bytes: &[u8]| {
+        let mut body = table();
+        let view = body.view(bytes);
+        body.push("images", json!({"bufferView": view, "name": "wood"}));
+        body.push("textures", json!({"source": 0}));
+        body.push("materials", json!({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}));
+        message(&body.bytes())
+    };
+    let png = picture(4, image::ImageFormat::Png);
+    for (bytes, words) in [
+        (png[..png.len() - 20].to_vec(), "cannot be decoded"),
+        (picture(8193, image::ImageFormat::Png), "is 8193 x 1 pixels"),
+        (b"RIFF\0\0\0\0WEBP".to_vec(), "is neither a PNG nor a JPEG"),
+    ] {
+        let found = painted(&bytes);
+        assert!(found.starts_with("the texture images[0] \"wood\" ") && found.contains(words), "{found}");
+        assert!(found.ends_with("; export it with PNG or JPEG textures of at most 8192 x 8192 pixels"), "{found}");
+    }
+    for bytes in [png, picture(4, image::ImageFormat::Jpeg), picture(8192, image::ImageFormat::Png)] {
+        assert_eq!(painted(&bytes), "read: 2 parts", "control");
     }
 }
 

@@ -1,6 +1,7 @@
 //! What all loaders have in common: files in memory, and a world that is stepped.
 
 use sward::model::Assets;
+use sward::picture::subject::Frame;
 use sward::scene::Scene;
 use sward::world::World;
 
@@ -38,6 +39,13 @@ pub(crate) fn stepped(world: &mut World) {
     for stand in 0..world.model.stands.len() {
         assert!(world.bend_at(stand, [1.5, -2.0]).is_some_and(|bend| bend.iter().all(|part| part.is_finite())));
     }
+    for model in &world.model.stands {
+        let map = model.growth_map(&world.model.terrain, [0, 0]);
+        assert!(map.is_none_or(|map| map.len() as u32 == model.cells * model.cells));
+    }
+    let (frame, _) = Frame::of(world, &view, 0.5);
+    let limits = frame.input(world, &view, &[]).growth;
+    assert!(limits.records.iter().flat_map(|record| record.low.iter().chain(&record.high)).all(|part| part.is_finite()));
     world.advance(0.02);
 }
 

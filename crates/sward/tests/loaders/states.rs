@@ -1,7 +1,7 @@
 //! Saved states: what a damaged one makes of a world.
 
 use sward::model::NoAssets;
-use sward::scene::Scene;
+use sward::scene::{Change, Edit, Raise, Scene};
 use sward::world::World;
 
 use crate::chance::Chance;
@@ -11,15 +11,26 @@ use crate::{bytes, run};
 /// Bytes before the payload: the format's name, its version, a checksum.
 const HEADER: usize = 22;
 
-fn world(lag: &str, wind: &str) -> World {
+fn world(lag: &str, wind: &str, more: &str) -> World {
     let text = format!(
         "(version: 1, field: (patch_side: 8), stands: [(species: Meadow, cells: 8{lag}), (species: Lawn, cells: 8)], wind: [{wind}],
          interactors: [(shape: Sphere(radius: 0.6), path: Circle(radius: 4, speed: 3)), (shape: Truck, path: Driven())],
-         budget: (patches: 9, focus_distance: 8, beyond: Tiled))"
+         budget: (patches: 9, focus_distance: 8, beyond: Tiled){more})"
     );
     let mut world = World::new(Scene::parse(&text, "small.ron").expect("a scene"), &NoAssets).expect("a world");
     world.drive(1, [2.0, 1.0], 0.5, 0.0);
     (0..5).for_each(|_| world.step());
+    world
+}
+
+/// Ground that the scene edits before and after the state is saved, and code just before.
+fn edited() -> World {
+    let edits = ", detail: (amplitude: 0.2), edits: [(at: (2, 1), radius: 2, change: Raise(height: 0.4)), (time: 0.04, at: (1, 0), change: Flatten()),
+        (time: 0.1, at: (3, 3), change: Raise(height: -0.3))]";
+    let mut world = world("", "Uniform()", edits);
+    world
+        .edit_terrain(&Edit { at: [-2.0, 1.0], radius: 1.5, change: Change::Raise(Raise { height: 0.5 }), ..Edit::default() })
+        .expect("near");
     world
 }
 
@@ -51,7 +62,7 @@ fn harmed(states: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
 
 #[test]
 fn saved_states_never_panic() {
-    let worlds = [world("", "Natural()"), world(", response: Continuum(lag: History)", ""), world("", "Uniform()")];
+    let worlds = [world("", "Natural()", ""), world(", response: Continuum(lag: History)", "", ""), world("", "Uniform()", ""), edited()];
     let states: Vec<Vec<u8>> = worlds.iter().map(World::save).collect();
     for (world, state) in worlds.iter().zip(&states) {
         assert_eq!(world.clone().restore(state), Ok(()), "control: unharmed states are taken");

@@ -1,4 +1,4 @@
-//! Terrains from PNG, TIFF and the words beside them, and winds from PNG.
+//! Terrains from PNG, TIFF and the words beside them; winds and masks from PNG.
 
 use std::io::Cursor;
 
@@ -31,6 +31,11 @@ pub(crate) fn directions() -> Vec<u8> {
     png(image::RgbImage::from_fn(8, 8, |x, y| image::Rgb([(30 * x) as u8, (31 * y) as u8, 200])).into())
 }
 
+/// 5 × 3 shades of grey.
+pub(crate) fn shades() -> Vec<u8> {
+    png(image::GrayImage::from_fn(5, 3, |x, y| image::Luma([(60 * x + 20 * y) as u8])).into())
+}
+
 /// A small world on that ground; whether it was taken.
 fn walked(path: &str, files: Vec<(&'static str, Vec<u8>)>) -> bool {
     let text = format!(
@@ -58,7 +63,7 @@ fn terrain_pngs_never_panic() {
         png(DynamicImage::new_luma8(6, 4)),
     ];
     assert!(walked("a.png", vec![("a.png", heights()), ("a.toml", SIDECAR.as_bytes().to_vec())]), "control");
-    let tally = run("terrain PNG", 0.12, |chance| {
+    let tally = run("terrain PNG", 0.08, |chance| {
         let file = sealed(chance.pick(&files).clone(), &files, chance);
         walked("a.png", vec![("a.png", file), ("a.toml", SIDECAR.as_bytes().to_vec())])
     });
@@ -69,7 +74,7 @@ fn terrain_pngs_never_panic() {
 fn terrain_words_never_panic() {
     let text = words::pieces(SIDECAR);
     let known: Vec<String> = text.iter().filter(|piece| piece.len() > 3).cloned().collect();
-    let tally = run("terrain words", 0.08, |chance| {
+    let tally = run("terrain words", 0.06, |chance| {
         let mut list = text.clone();
         words::mutate(&mut list, &known, std::slice::from_ref(&text), chance);
         walked("a.png", vec![("a.png", heights()), ("a.toml", list.concat().into_bytes())])
@@ -115,5 +120,19 @@ fn wind_pngs_never_panic() {
     };
     assert!(blown(directions()), "control");
     let tally = run("wind PNG", 0.06, |chance| blown(sealed(chance.pick(&files).clone(), &files, chance)));
+    tally.is_mixed(0.005);
+}
+
+#[test]
+fn mask_pngs_never_panic() {
+    let files = [shades(), heights(), png(DynamicImage::new_luma8(1, 1)), png(DynamicImage::new_luma16(40, 2)), directions()];
+    let grown = |file: Vec<u8>| {
+        let text = "(version: 1, field: (patch_side: 8), stands: [(species: Lawn, cells: 8)], budget: (patches: 9),
+            masks: [(path: \"a.png\", at: (-9, -7), size: (15, 20), outside: 0.5)],
+            interactors: [(shape: Sphere(radius: 1), path: Circle(radius: 3, speed: 4))])";
+        used(Scene::parse(text, "mask.ron").expect("a scene"), &Files(vec![("a.png", file)]))
+    };
+    assert!(files.iter().take(4).all(|file| grown(file.clone())) && !grown(directions()), "control");
+    let tally = run("mask PNG", 0.06, |chance| grown(sealed(chance.pick(&files).clone(), &files, chance)));
     tally.is_mixed(0.005);
 }

@@ -1,7 +1,9 @@
 //! The ground changes while a world runs: cells, bodies and plants follow, and so does a saved state.
 
 use crate::common::world;
+use sward::saved::SavedError;
 use sward::scene::{Change, Edit, Flatten, Raise};
+use sward::terrain::Terrain;
 use sward::world::World;
 
 fn raise(at: [f64; 2], radius: f32, height: f32) -> Edit {
@@ -131,6 +133,47 @@ fn a_scenes_edits_come_at_their_time() {
     assert!((world.model.terrain.height_at(4.0, 4.0) - 0.8).abs() < 0.01 && (height_under_cells(&world, [0, 0]) - 0.8).abs() < 0.05);
     let start = parked("edits: [(at: (4, 4), radius: 3, change: Raise(height: 0.8))],");
     assert!((start.model.terrain.height_at(4.0, 4.0) - 0.8).abs() < 0.01);
+}
+
+/// A backend that could not take a step plans it again.
+#[test]
+fn a_step_planned_again_edits_nothing_twice() {
+    let edits = "edits: [(time: 0.1, at: (4, 4), radius: 3, change: Raise(height: 0.8))],";
+    let (mut once, mut again) = (parked(edits), parked(edits));
+    for _ in 0..20 {
+        once.step();
+        for _ in 0..3 {
+            assert!(again.plan().stands[0].patches.iter().all(|patch| !patch.edited || again.state.step == 5));
+        }
+        if again.state.step == 5 {
+            let saved = again.save();
+            again.restore(&saved).unwrap();
+        }
+        let plan = again.plan();
+        let summaries = again.respond(&plan);
+        again.finish(summaries);
+        let ground = |world: &World| (world.state.step, world.model.terrain.edits().size(), world.model.terrain.edits().heights().to_vec());
+        assert!(ground(&again) == ground(&once), "step {}", again.state.step);
+        assert_eq!(height_under_cells(&again, [0, 0]), height_under_cells(&once, [0, 0]));
+    }
+    assert!((height_under_cells(&again, [0, 0]) - 0.8).abs() < 0.05, "control: the edit came");
+    assert_eq!(again.state.stands[0].counters.resampled, 1);
+}
+
+/// The samples of a large terrain and those of edits share one buffer: what they leave is the limit, for edits and for saved ones.
+#[test]
+fn edits_have_the_room_that_the_terrain_leaves() {
+    let mut full = Terrain::new(vec![0.0; 8192 * 4095], 8192, 4095, [1.0; 2], [0.0; 2]).unwrap();
+    let error = full.edit(&raise([0.0, 0.0], 20.0, 1.0)).expect_err("no room").to_string();
+    assert!(error.contains("`edits` is 64 m x 64 m, allowed is a rectangle round all of them of at most 512 square metres"), "{error}");
+    assert!(full.edits().is_none());
+    let mut smaller = parked("");
+    smaller.edit_terrain(&raise([0.0, 0.0], 20.0, 1.0)).unwrap();
+    let saved = smaller.save();
+    assert_eq!(smaller.restore(&saved), Ok(()), "control");
+    let mut tight = parked("");
+    tight.model.terrain = full;
+    assert_eq!(tight.restore(&saved), Err(SavedError::Damaged("its ground is none")));
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::io::Cursor;
 
 use crate::common::{Dice, world};
 use sward::model::{Assets, Folder};
+use sward::picture::subject::Frame;
 use sward::placement::{self, Plant};
 use sward::scene::Scene;
 use sward::world::World;
@@ -56,11 +57,14 @@ fn in_pond(at: [f64; 2]) -> bool {
     at[0].hypot(at[1] - 11.0) < 2.5
 }
 
+/// Whether a place lies in a shape.
+type Inside<'a> = &'a dyn Fn([f64; 2]) -> bool;
+
 #[test]
 fn no_root_stands_in_an_exclusion() {
     let (free, limited) = (meadow(""), meadow(&format!("exclusions: [{ROAD}, {HOUSE}, {YARD}, {POND}]")));
     let on_road = |at: [f64; 2]| near_line(&[[-20.0, 3.0], [1.0, 2.0], [6.0, -9.0], [6.0, -40.0]], at) < 1.99;
-    let all: [(&str, &dyn Fn([f64; 2]) -> bool); 4] = [("road", &on_road), ("house", &in_house), ("yard", &in_yard), ("pond", &in_pond)];
+    let all: [(&str, Inside); 4] = [("road", &on_road), ("house", &in_house), ("yard", &in_yard), ("pond", &in_pond)];
     let root = |plant: &Plant| plant.root.map(f64::from);
     let (wild, kept) = (plants(&free, 0), plants(&limited, 0));
     let mut gone = 0;
@@ -172,6 +176,12 @@ fn a_mask_says_how_much_grows() {
     assert!((share(&level, -2.5, -1.5).1 / grown - 1.0).abs() < 0.04 && share(&level, 8.0, 16.0).0 == 1.0, "control");
 }
 
+/// The checksum of a chunk of a PNG.
+fn crc(bytes: &[u8]) -> u32 {
+    let bit = |crc: u32| if crc & 1 == 1 { crc >> 1 ^ 0xEDB8_8320 } else { crc >> 1 };
+    !bytes.iter().fold(u32::MAX, |crc, byte| (0..8).fold(crc ^ u32::from(*byte), |crc, _| bit(crc)))
+}
+
 #[test]
 fn bad_masks_are_refused_in_words() {
     struct Bytes(Vec<u8>);
@@ -189,14 +199,14 @@ fn bad_masks_are_refused_in_words() {
     let mut png = Cursor::new(Vec::new());
     image::RgbImage::new(4, 4).write_to(&mut png, image::ImageFormat::Png).expect("written");
     let png = png.into_inner();
-    assert_eq!(of(png.clone()), "grey.png: the mask is Rgb8, needed is 8- or 16-bit grey without alpha (L8, L16)");
+    let help = "\n  help: export it as a grey PNG of 8 or 16 bits, at most 2048 pixels a side";
+    assert_eq!(of(png), format!("grey.png: the mask is Rgb8, needed is 8- or 16-bit grey without alpha (L8, L16){help}"));
     // A header that promises 60000 × 60000 pixels is refused before any of them is made room for.
     let mut bomb = Grey(4, 4, vec![7; 16]).read("").unwrap();
-    for (at, byte) in 60000_u32.to_be_bytes().into_iter().chain(60000_u32.to_be_bytes()).enumerate() {
-        bomb[16 + at] = byte;
-    }
-    let message = of(bomb);
-    assert!(message.contains("60000 x 60000") || message.contains("not a readable PNG"), "{message}");
+    bomb[16..24].copy_from_slice(&[60000_u32.to_be_bytes(); 2].concat());
+    let sum = crc(&bomb[12..29]);
+    bomb[29..33].copy_from_slice(&sum.to_be_bytes());
+    assert_eq!(of(bomb), format!("grey.png: the mask is 60000 x 60000 pixels, allowed are 1 to 2048 a side{help}"));
     let grey = Grey(4, 4, vec![7; 16]).read("").unwrap();
     let mut dice = Dice(4);
     for _ in 0..300 {
@@ -252,4 +262,20 @@ fn bodies_on_bare_ground_push_nothing() {
         bent(&road.replace("width: 3", "width: 3, above: 1").replace("width: 3, above: 1)", "width: 3), above: 1")) > 0.5,
         "below a bridge grass is pushed"
     );
+}
+
+/// A mask that thins what grows outside its picture does so however far away the picture lies, for plants and for the colour of ground.
+#[test]
+fn a_far_mask_thins_the_ground_in_sight() {
+    let grey = Grey(4, 1, vec![0, 128, 255, 255]);
+    let seen = |outside: &str| {
+        let world = masked(&format!("at: (90000, 90000), size: (16, 16), outside: {outside}"), &grey).unwrap();
+        let view = world.camera();
+        let (frame, _) = Frame::of(&world, &view, 0.0);
+        let records = frame.input(&world, &view, &[]).growth.records;
+        (records.iter().map(|record| record.outside).collect::<Vec<f32>>(), plants(&world, 0).len())
+    };
+    assert_eq!(seen("0"), (vec![0.0], 0));
+    let (records, grown) = seen("1");
+    assert!(records.is_empty() && grown > 10_000, "control: {grown}");
 }

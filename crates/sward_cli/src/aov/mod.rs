@@ -160,6 +160,11 @@ impl Outputs {
         }
     }
 
+    /// The file that says beside a single picture what its outputs are.
+    pub(crate) fn description_path(picture: &Path) -> PathBuf {
+        picture.with_extension("aov.json")
+    }
+
     /// Writes the files beside a picture.
     ///
     /// # Errors
@@ -180,7 +185,7 @@ impl Outputs {
     /// # Errors
     /// The file cannot be written.
     pub(crate) fn describe(&self, picture: &Path) -> Result<(), Failure> {
-        output::write_whole(&picture.with_extension("aov.json"), |writer| {
+        output::write_whole(&Self::description_path(picture), |writer| {
             use std::io::Write;
             serde_json::to_writer_pretty(&mut *writer, &self.description).map_err(std::io::Error::other)?;
             writer.write_all(b"\n")

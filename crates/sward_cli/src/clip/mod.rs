@@ -10,11 +10,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::arguments;
-use crate::checkpoint::{Checkpoint, Settings};
+use crate::checkpoint::{self, Checkpoint, Settings};
 use crate::commands::render;
 use crate::console::Console;
 use crate::failure::Failure;
-use crate::output;
 use crate::scenes::Opened;
 
 use wanted::Wanted;
@@ -26,15 +25,16 @@ const RATE: u32 = 24;
 /// Makes the clip that was asked for.
 pub(crate) fn run(arguments: &arguments::Render, opened: &Opened, console: &Console) -> Result<(), Failure> {
     let Wanted { file, folder, frames, rate } = Wanted::new(arguments, opened)?;
-    let settings = Settings::new(opened, arguments.size, rate, None);
+    let (world, fingerprint) = opened.world_and_fingerprint()?;
+    let settings = Settings::new(opened, fingerprint, arguments.size, rate, None);
     let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every(), arguments.resume)?;
     let shots = render::shots(opened, frames, rate, &folder);
-    let (world, sequence) = (opened.world()?, Some((folder.clone(), checkpoint)));
+    let sequence = Some((folder.clone(), checkpoint));
     let drawn = render::draw(world, &shots, sequence, None, arguments.size, (arguments.on, arguments.draw), console)?;
     let begun = Instant::now();
     let paths: Vec<&Path> = shots.iter().map(render::Shot::path).collect();
     film::write(&paths, arguments.size, rate, (&folder, &file), console)?;
-    output::remove_frames(&folder)?;
+    checkpoint::remove_sequence(&folder)?;
     let (seconds, count) = (begun.elapsed().as_secs_f64(), paths.len());
     let [width, height] = arguments.size;
     let kept = drawn.kept();

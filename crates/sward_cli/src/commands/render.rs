@@ -81,11 +81,14 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
         return clip::run(arguments, &opened, console);
     }
     let rate = opened.scene.steps_per_second;
-    let world = opened.world()?;
+    let (world, fingerprint) = opened.world_and_fingerprint()?;
     let outputs = Outputs::new(&arguments.aov, arguments.aov_format, &world)?;
     let (mut shots, sequence, place) = match &arguments.frames {
         None => {
             let path = output::picture(arguments.output.as_deref(), &opened.name)?;
+            if let Some(outputs) = &outputs {
+                outputs.paths(&path).iter().chain([&Outputs::description_path(&path)]).try_for_each(|file| output::beside(file))?;
+            }
             let shot = single(&opened, arguments.time, arguments.fps.unwrap_or(RATE), path.clone());
             (vec![shot], None, path)
         }
@@ -93,7 +96,7 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
             let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}_frames", opened.name)));
             output::folder(&folder, true)?;
             let fps = arguments.fps.unwrap_or(RATE);
-            let settings = Settings::new(&opened, arguments.size, fps, outputs.as_ref());
+            let settings = Settings::new(&opened, fingerprint, arguments.size, fps, outputs.as_ref());
             let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every(), arguments.resume)?;
             (shots(&opened, frames.clone(), fps, &folder), Some((folder.clone(), checkpoint)), folder)
         }
@@ -144,9 +147,10 @@ pub(crate) fn draw(
     console: &Console,
 ) -> Result<Done, Failure> {
     let begun = Instant::now();
+    let files = |shot: &'_ Shot| [std::slice::from_ref(&shot.path), &shot.beside].concat();
+    shots.iter().try_for_each(|shot| files(shot).iter().try_for_each(|file| output::file(file)))?;
     let gpu = artist::adapter(draw, on, console)?;
     let mut artist = Artist::choose(draw, gpu.as_ref(), &world, size)?;
-    let files = |shot: &'_ Shot| [std::slice::from_ref(&shot.path), &shot.beside].concat();
     let missing: Vec<&Shot> =
         shots.iter().filter(|shot| !sequence.as_ref().is_some_and(|(_, kept)| kept.has(files(shot).iter()))).collect();
     if let (Some((_, checkpoint)), Some(first)) = (&sequence, missing.first()) {
@@ -166,10 +170,12 @@ pub(crate) fn draw(
     let (mut memory, mut remembered) = (Memory::default(), None);
     for shot in &missing {
         if outputs.is_some() && remembered != Some(shot.before) {
-            advance_to(&mut world, shot.before.0, &mut backend, &mut progress)?;
+            advance_to(&mut world, shot.before.0, &mut backend, checkpoint.as_mut(), &mut progress)?;
             artist.remember(&mut memory, &mut world, &mut backend, shot.before.1)?;
         }
-        advance_to(&mut world, shot.step, &mut backend, &mut progress)?;
+        // A state past the frame before would be of no use to a run that has that frame still to remember.
+        let on_the_way = checkpoint.as_mut().filter(|_| outputs.is_none());
+        advance_to(&mut world, shot.step, &mut backend, on_the_way, &mut progress)?;
         let picture = match outputs {
             None => artist.draw(&mut world, &mut backend, shot.behind, size)?,
             Some(outputs) => {
@@ -195,10 +201,20 @@ pub(crate) fn draw(
     Ok(Done { artist, on, seconds: begun.elapsed().as_secs_f64(), kept: shots.len() - missing.len() })
 }
 
-fn advance_to(world: &mut World, step: u64, backend: &mut Backend<'_>, progress: &mut Progress) -> Result<(), Failure> {
+/// Steps until there, saving the state on the way when it is time.
+fn advance_to(
+    world: &mut World,
+    step: u64,
+    backend: &mut Backend<'_>,
+    mut checkpoint: Option<&mut Checkpoint>,
+    progress: &mut Progress,
+) -> Result<(), Failure> {
     while world.state.step < step {
         backend.step(world)?;
         progress.advance();
+        if let Some(checkpoint) = &mut checkpoint {
+            checkpoint.save(world, backend)?;
+        }
     }
     Ok(())
 }

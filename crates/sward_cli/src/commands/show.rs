@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use sward::response::StandModel;
-use sward::scene::{Flow, Interactor, Path, Scene, Shape, Terrain, WindSource};
+use sward::scene::{Flow, Interactor, Path, Precision, Scene, Shape, Terrain, WindSource};
 use sward::world::World;
 
 use crate::arguments;
@@ -54,10 +54,18 @@ fn page(opened: &Opened, world: &World) -> String {
     if scene.interactors.is_empty() {
         line(&mut text, "body", "none: nothing pushes the plants");
     }
-    let total: f64 = (0..world.model.stands.len()).map(|index| budget_bytes(world, index) as f64).sum();
     text.push('\n');
     let budget = &scene.budget;
-    line(&mut text, "budget", &format!("{:.1} MB of cells at most, in {} patches per stand", total / MEGABYTE, budget.patches));
+    let total = |precision: &Precision| {
+        let bytes = (0..world.model.stands.len()).map(|index| budget_bytes(world, index, precision) as f64);
+        format!("{:.1} MB", bytes.sum::<f64>() / MEGABYTE)
+    };
+    let full = total(&Precision::Full);
+    let most = match &budget.precision {
+        Precision::Full => format!("{full} of cells at most"),
+        half => format!("{} of cells at most on a GPU, {full} on the CPU", total(half)),
+    };
+    line(&mut text, "budget", &format!("{most}, in {} patches per stand", budget.patches));
     let (plants, focus, lag) = (budget.visible_plants, budget.focus_distance, budget.lag_distance);
     line(
         &mut text,
@@ -129,27 +137,37 @@ fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) ->
     let segments = stand.lag.segments;
     let trail = format!("the tip trails by {} s bending, {} s standing up", continuum.gamma_top, continuum.gamma_recover);
     line(&mut text, "", &format!("{segments} segment{} a plant; {trail}", plural(segments)));
-    let (patch, upper) = (patch_bytes(world, stand), lag_bytes(stand));
-    let total = budget_bytes(world, index) as f64 / MEGABYTE;
-    line(&mut text, "", &format!("{} bytes a patch and {} for its upper segments; {total:.1} MB at most", grouped(patch), grouped(upper)));
+    let precision = &world.scene.budget.precision;
+    let (patch, upper) = (patch_bytes(world, stand, precision), lag_bytes(stand));
+    let total = budget_bytes(world, index, precision) as f64 / MEGABYTE;
+    let backend = if *precision == Precision::Half { " on a GPU" } else { "" };
+    let cost = format!("{} bytes a patch and {} for its upper segments; {total:.1} MB at most{backend}", grouped(patch), grouped(upper));
+    line(&mut text, "", &cost);
     text
 }
 
 fn plants(world: &World, stand: &StandModel) -> String {
     let patch = f64::from(stand.cells) * f64::from(stand.cells) * f64::from(stand.placement.cover);
+    // Where the ground has a say, only looking at all of it would tell how many grow.
+    let most = if stand.growth.is_free() { "" } else { "at most " };
     let square = world.model.patch_side * world.model.patch_side;
     match world.scene.field.patches {
-        Some([x, z]) => format!("about {} plants in all", grouped((patch * f64::from(x) * f64::from(z)).round() as u64)),
+        Some([x, z]) => format!("{most}about {} plants in all", grouped((patch * f64::from(x) * f64::from(z)).round() as u64)),
         None => {
-            format!("about {} plants a patch, {} a hectare", grouped(patch.round() as u64), grouped((patch * 1e4 / square).round() as u64))
+            let hectare = grouped((patch * 1e4 / square).round() as u64);
+            format!("{most}about {} plants a patch, {hectare} a hectare", grouped(patch.round() as u64))
         }
     }
 }
 
-/// Two time levels of β and ω, and the slopes where the ground is not flat.
-fn patch_bytes(world: &World, stand: &StandModel) -> u64 {
-    let slopes = if stand.is_level(&world.model.terrain) { 0 } else { 2 };
-    NUMBER * (2 * 4 + slopes) * u64::from(stand.cells) * u64::from(stand.cells)
+/// Two time levels of β and ω, and slopes and height of the ground where it is not level.
+fn patch_bytes(world: &World, stand: &StandModel, precision: &Precision) -> u64 {
+    let level = match precision {
+        Precision::Full => 4,
+        Precision::Half => 2,
+    };
+    let ground = if stand.is_level(&world.model.terrain) { 0 } else { 3 };
+    NUMBER * (2 * level + ground) * u64::from(stand.cells) * u64::from(stand.cells)
 }
 
 /// Upper segments of one patch, and the past that `History` keeps.
@@ -159,9 +177,9 @@ fn lag_bytes(stand: &StandModel) -> u64 {
     NUMBER * (planes + past) * u64::from(stand.cells) * u64::from(stand.cells)
 }
 
-fn budget_bytes(world: &World, index: usize) -> u64 {
+fn budget_bytes(world: &World, index: usize, precision: &Precision) -> u64 {
     let (stand, slots) = (&world.model.stands[index], &world.state.stands[index]);
-    slots.free.len() as u64 * patch_bytes(world, stand) + slots.lag_free.len() as u64 * lag_bytes(stand)
+    slots.free.len() as u64 * patch_bytes(world, stand, precision) + slots.lag_free.len() as u64 * lag_bytes(stand)
 }
 
 fn wind(source: &WindSource) -> String {

@@ -15,7 +15,7 @@ fn commands(picture: &str, folder: &str) -> [Vec<String>; 4] {
 fn refuse_all(place: &Place, picture: &str, folder: &str, words: &[&str]) {
     for command in commands(picture, folder) {
         let arguments: Vec<&str> = command.iter().map(String::as_str).collect();
-        place.refuses(&arguments, &[&["type", "-o"], words].concat());
+        place.refuses(&arguments, &[&["help: ", "type", "-o"], words].concat());
     }
 }
 
@@ -31,7 +31,7 @@ fn places_that_cannot_be_written_to_are_refused() {
         use std::os::unix::fs::PermissionsExt;
         std::os::unix::fs::symlink("nowhere", place.0.join("dangling")).expect("writable");
         let command = &commands("", "dangling")[2];
-        place.refuses(&command.iter().map(String::as_str).collect::<Vec<_>>(), &["dangling", "-o"]);
+        place.refuses(&command.iter().map(String::as_str).collect::<Vec<_>>(), &["dangling", "help: ", "-o"]);
         let locked = place.0.join("locked");
         std::fs::create_dir(&locked).expect("writable");
         let allow = |mode| std::fs::set_permissions(&locked, std::fs::Permissions::from_mode(mode)).expect("it is ours");
@@ -51,7 +51,7 @@ fn places_inside_a_file_are_refused() {
     let place = Place::with_small("inside_a_file");
     for command in commands("small.ron/a.png", "small.ron/data") {
         let arguments: Vec<&str> = command.iter().map(String::as_str).collect();
-        place.refuses(&arguments, &["the folder small.ron does not exist", "mkdir -p small.ron"]);
+        place.refuses(&arguments, &["the folder small.ron does not exist", "help: ", "mkdir -p small.ron"]);
     }
 }
 

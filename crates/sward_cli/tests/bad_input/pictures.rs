@@ -1,4 +1,4 @@
-//! PNG files that cannot be terrains or winds.
+//! PNG files that cannot be terrains, winds or masks.
 
 use std::io::Cursor;
 
@@ -9,6 +9,7 @@ use crate::{refuses, takes};
 
 const TERRAIN: &str = "(version: 1,\n terrain: Image(path: \"maps/hills.png\"))";
 const WIND: &str = "(version: 1,\n wind: [Uniform(), Footprint(flow: Image(path: \"maps/whirl.png\"))])";
+const MASK: &str = "(version: 1, stands: [(species: Lawn, cells: 16)],\n masks: [(path: \"maps/grey.png\", size: (9, 9))])";
 const SIDECAR: &str = "columns = 6\nrows = 4\nmetres_per_pixel_x = 30\nmetres_per_pixel_y = 30\nmin_height_m = 0\nmax_height_m = 9\n";
 
 fn png(picture: DynamicImage) -> Vec<u8> {
@@ -120,6 +121,32 @@ fn winds_that_are_no_png_are_refused() {
         let words = format!("is {width} x {height} pixels, expected a square of 2 to 512 a side");
         refuse(&announcing(directions(16), width, height), &[&words, "export it smaller"]);
     }
+}
+
+#[test]
+fn masks_that_are_no_png_are_refused() {
+    let place = Place::new("bad_mask_png");
+    refuses(&place, MASK, "2:17", &["maps/grey.png: cannot be read", "type a path"]);
+    let help = "export it as a grey PNG of 8 or 16 bits, at most 2048 pixels a side";
+    let refuse = |bytes: &[u8], words: &[&str]| {
+        place.write("maps/grey.png", bytes);
+        refuses(&place, MASK, "2:17", &[&["maps/grey.png: the mask is", help], words].concat());
+    };
+    let grey = png(image::GrayImage::from_fn(16, 16, |x, y| image::Luma([(x * 16 + y) as u8])).into());
+    for whole in [&grey, &heights(16, 16)] {
+        place.write("maps/grey.png", whole);
+        takes(&place, MASK);
+        for (bytes, _) in harmed(whole) {
+            refuse(&bytes, &["not a readable PNG"]);
+        }
+    }
+    for (width, height) in [(2049, 1), (1, 2049), (60_000, 60_000)] {
+        refuse(&announcing(grey.clone(), width, height), &[&format!("{width} x {height} pixels, allowed are 1 to 2048 a side")]);
+    }
+    for (width, height) in [(0, 16), (i32::MAX as u32, i32::MAX as u32), (u32::MAX, u32::MAX)] {
+        refuse(&announcing(grey.clone(), width, height), &["not a readable PNG"]);
+    }
+    refuse(&directions(16), &["Rgb8, needed is 8- or 16-bit grey"]);
 }
 
 /// Folders, devices and nothing at all where a file should be.

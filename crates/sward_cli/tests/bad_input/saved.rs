@@ -42,7 +42,7 @@ fn settings_of_another_format_are_refused() {
     let text = std::fs::read_to_string(place.0.join("clip/frames.json")).expect("it is there");
     let refuse = |bytes: &[u8], words: &[&str]| {
         place.write("clip/frames.json", bytes);
-        place.refuses(&resumed(), &[&["clip/frames.json", "without --resume the sequence begins anew"], words].concat());
+        place.refuses(&resumed(), &[&["clip/frames.json", "help: ", "without --resume the sequence begins anew"], words].concat());
     };
     refuse(text.replace("\"version\": 1", "\"version\": 2").as_bytes(), &["it has format version 2, expected 1"]);
     refuse(b"{\"version\": 99, \"novelty\": true}", &["it has format version 99, expected 1"]);
@@ -62,7 +62,7 @@ fn states_that_cannot_be_gone_on_from_are_refused() {
     let (place, state) = interrupted("bad_state");
     let refuse = |bytes: &[u8], words: &[&str]| {
         place.write("clip/frames.state", bytes);
-        place.refuses(&resumed(), &[&["clip/frames.state", "remove clip/frames.state"], words].concat());
+        place.refuses(&resumed(), &[&["clip/frames.state", "help: ", "remove clip/frames.state"], words].concat());
     };
     let changed = |at: usize| {
         let mut bytes = state.clone();

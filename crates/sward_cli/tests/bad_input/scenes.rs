@@ -89,5 +89,5 @@ fn scenes_without_an_end_are_refused() {
     refuses(&place, &format!("(version: 1, title: \"{}\", x: 1)", "x".repeat(3_000_000)), "", &["test.ron:1:", "no field `x`"]);
     refuses(&place, &"/*".repeat(1_000_000), "", &["test.ron:1:"]);
     place.write("test.ron", vec![b' '; (16 << 20) + 1]);
-    place.refuses(&["show", "test.ron"], &["test.ron is not a scene file", "at most 16 MB"]);
+    place.refuses(&["show", "test.ron"], &["test.ron is not a scene file", "help: ", "at most 16 MB"]);
 }

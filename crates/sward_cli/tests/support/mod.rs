@@ -73,8 +73,8 @@ impl Place {
         found
     }
 
-    /// Checks that `arguments` are refused: status 2, nothing on stdout, nothing written, and all `words` said.
-    pub(crate) fn refuses(&self, arguments: &[&str], words: &[&str]) {
+    /// Checks that `arguments` are refused: status 2, nothing on stdout, nothing written, and all `words` said. Returns all that is said.
+    pub(crate) fn refuses(&self, arguments: &[&str], words: &[&str]) -> String {
         let before = self.files();
         let ran = self.sward(arguments);
         assert_eq!(ran.status, 2, "{arguments:?}\n{}", ran.errors);
@@ -83,6 +83,7 @@ impl Place {
             assert!(ran.errors.contains(word), "{arguments:?}: no `{word}` in\n{}", ran.errors);
         }
         assert_eq!(self.files(), before, "{arguments:?}");
+        ran.errors
     }
 }
 

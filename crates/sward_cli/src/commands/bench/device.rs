@@ -12,14 +12,22 @@ use super::report;
 use crate::artist::Artist;
 use crate::backend::Backend;
 use crate::failure::Failure;
+use crate::progress::Progress;
 
 /// Steps timed pass by pass. Returns the cells they moved and the time of all passes, ns.
-pub(crate) fn time_steps(world: &mut World, backend: &mut Backend<'_>, steps: u32, stages: &mut Stages) -> Result<[f64; 2], Failure> {
+pub(crate) fn time_steps(
+    world: &mut World,
+    backend: &mut Backend<'_>,
+    steps: u32,
+    stages: &mut Stages,
+    progress: &mut Progress,
+) -> Result<[f64; 2], Failure> {
     let Backend::Gpu(gpu, step) = backend else { return Ok([0.0; 2]) };
     step.stopwatch = Stopwatch::new(gpu);
     let mut sum = [0.0; 2];
     for _ in 0..steps {
         step.step(gpu, world)?;
+        progress.advance();
         sum[0] += report::cells(world) as f64;
         let Some(stopwatch) = &mut step.stopwatch else { continue };
         for (stage, milliseconds) in stopwatch.read(gpu)? {
@@ -38,11 +46,13 @@ pub(crate) fn time_pictures(
     artist: &mut Artist<'_>,
     (pictures, size): (u32, [u32; 2]),
     stages: &mut Stages,
+    progress: &mut Progress,
 ) -> Result<(), Failure> {
     let Artist::Gpu(gpu, studio) = artist else { return Ok(()) };
     *studio.stopwatch() = Stopwatch::new(gpu);
     for _ in 0..pictures {
         studio.draw(gpu, world, backend.cells(), size)?;
+        progress.advance();
         let Some(stopwatch) = studio.stopwatch() else { continue };
         for (stage, milliseconds) in stopwatch.read(gpu)? {
             stages.add(stage, milliseconds);
@@ -71,7 +81,7 @@ impl Run<'_> {
 }
 
 /// Time of a step at half precision over that at full, from pairs in ABBA order; `None` where the simulation is not on a GPU.
-pub(crate) fn half_to_full(world: &mut World, backend: &mut Backend<'_>) -> Result<Option<Interval>, Failure> {
+pub(crate) fn half_to_full(world: &mut World, backend: &mut Backend<'_>, progress: &mut Progress) -> Result<Option<Interval>, Failure> {
     backend.fetch(world)?;
     let Backend::Gpu(gpu, _) = backend else { return Ok(None) };
     let run = |precision: Precision| -> Result<Run<'_>, Failure> {
@@ -85,6 +95,7 @@ pub(crate) fn half_to_full(world: &mut World, backend: &mut Backend<'_>) -> Resu
     for pair in 0..PAIRS {
         let (first, second) = if pair % 2 == 0 { (&mut half, &mut full) } else { (&mut full, &mut half) };
         let [a, b, c, d] = [first.step()?, second.step()?, second.step()?, first.step()?];
+        progress.advance();
         let ratio = (a + d) / (b + c);
         ratios.push(if pair % 2 == 0 { ratio } else { 1.0 / ratio });
     }

@@ -55,7 +55,7 @@ impl Stages {
     }
 }
 
-/// The speed of memory: a = b + s·c over three arrays, 12 bytes an element, on as many threads as the step has.
+/// The speed of memory: a = b + s·c over three arrays, 12 bytes an element, on the threads of the step.
 pub(crate) struct Triad {
     arrays: [Vec<f32>; 3],
     speeds: Vec<f64>,
@@ -70,12 +70,11 @@ impl Triad {
     /// Bytes a second of one pass.
     pub(crate) fn run(&mut self) -> f64 {
         let [a, b, c] = &mut self.arrays;
-        let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        let share = TRIAD.div_ceil(threads);
+        let share = TRIAD.div_ceil(rayon::current_num_threads());
         let (seconds, ()) = seconds(|| {
-            std::thread::scope(|scope| {
+            rayon::scope(|scope| {
                 for ((a, b), c) in a.chunks_mut(share).zip(b.chunks(share)).zip(c.chunks(share)) {
-                    scope.spawn(move || {
+                    scope.spawn(move |_| {
                         for ((a, b), c) in black_box(a).iter_mut().zip(b).zip(c) {
                             *a = b + 0.5 * c;
                         }

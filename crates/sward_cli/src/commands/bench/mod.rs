@@ -41,9 +41,10 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
     let gpu = artist::adapter_by(Gpu::with_clock, arguments.draw, on, console)?;
     let mut artist = Artist::choose(arguments.draw, gpu.as_ref(), &world, arguments.size)?;
     let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
-    let pairs = if on == Where::Cpu { 2 * PAIRS as u64 } else { 0 };
-    let length = u64::from(arguments.warm_up) + u64::from(arguments.steps) + u64::from(PICTURES) + pairs;
-    let mut progress = Progress::new(length, "steps and pictures", console);
+    if let Some(folder) = &arguments.output {
+        output::make_folder(folder)?;
+    }
+    let mut progress = Progress::new(length(arguments, &backend, &artist), "steps, pictures and pairs", console);
     for _ in 0..arguments.warm_up {
         backend.step(&mut world)?;
         progress.advance();
@@ -60,9 +61,9 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
         progress.advance();
     }
     let mut by_device = Stages::default();
-    let moved = device::time_steps(&mut world, &mut backend, arguments.steps, &mut by_device)?;
-    device::time_pictures(&mut world, &mut backend, &mut artist, (PICTURES, arguments.size), &mut by_device)?;
-    let half_to_full = device::half_to_full(&mut world, &mut backend)?;
+    let moved = device::time_steps(&mut world, &mut backend, arguments.steps, &mut by_device, &mut progress)?;
+    device::time_pictures(&mut world, &mut backend, &mut artist, (PICTURES, arguments.size), &mut by_device, &mut progress)?;
+    let half_to_full = device::half_to_full(&mut world, &mut backend, &mut progress)?;
     let mut triad = Triad::new();
     let mut measured = Vec::new();
     if on == Where::Cpu {
@@ -75,6 +76,7 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
     let report = Report {
         scene: opened.name.clone(),
         on: backend.name().to_owned(),
+        precision: report::precision(&world, &backend),
         drawn_on: artist.name().to_owned(),
         steps: arguments.steps,
         warm_up: arguments.warm_up,
@@ -89,16 +91,23 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
         ratio: ratio(&measured),
         ..Report::of_machine(gpu.as_ref())
     };
-    if let Some(folder) = &arguments.output {
-        write(&report, folder)?;
-    }
-    console.answer(&report.table())
+    // First: what was measured is told even where it cannot be written.
+    console.answer(&report.table())?;
+    arguments.output.as_ref().map_or(Ok(()), |folder| write(&report, folder))
+}
+
+/// All that is waited for: on the CPU pairs of step and triad, on a GPU what its own clock tells and pairs of precisions.
+fn length(arguments: &arguments::Bench, backend: &Backend<'_>, artist: &Artist<'_>) -> u64 {
+    let again = if matches!(backend, Backend::Gpu(..)) { arguments.steps } else { 0 };
+    let pictures = if matches!(artist, Artist::Gpu(..)) { 2 * PICTURES } else { PICTURES };
+    [arguments.warm_up, arguments.steps, again, pictures].map(u64::from).iter().sum::<u64>() + PAIRS as u64
 }
 
 /// One step, stage by stage where they can be told apart.
 fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Result<(), Failure> {
     if !matches!(backend, Backend::Cpu) {
-        return stages.time("step", || backend.step(world));
+        // Handing a step over is not doing it.
+        return stages.time("step", || backend.step(world).and_then(|()| backend.wait(world)));
     }
     let plan = stages.time("plan: bodies, wind, activation", || world.plan());
     // Of all stands together.
@@ -128,7 +137,6 @@ fn pair_of(world: &mut World, triad: &mut Triad, step_first: bool) -> [f64; 2] {
 }
 
 fn write(report: &Report, folder: &Path) -> Result<(), Failure> {
-    output::make_folder(folder)?;
     let json = serde_json::to_string_pretty(report).map_err(|error| Failure::failed(format!("cannot write the figures: {error}")))?;
     output::write_whole(&folder.join("bench.json"), |writer| writeln!(writer, "{json}"))?;
     output::write_whole(&folder.join("bench.csv"), |writer| writer.write_all(report.csv().as_bytes()))

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde::Serialize;
 use sward::response::StandModel;
+use sward::scene::Precision;
 use sward::state::PatchKey;
 use sward::world::World;
 use sward_wgpu::gpu::Gpu;
@@ -19,7 +20,12 @@ pub(crate) struct Report {
     /// Where the simulation ran.
     pub(crate) on: String,
     pub(crate) drawn_on: String,
+    /// How cells are stored there: `full` or `half`.
+    pub(crate) precision: &'static str,
     pub(crate) system: String,
+    /// Model name of the processor, where the system tells it.
+    pub(crate) processor: Option<String>,
+    /// Of the step and of the triad.
     pub(crate) threads: usize,
     pub(crate) adapter: Option<String>,
     pub(crate) driver: Option<String>,
@@ -83,6 +89,26 @@ pub(crate) struct Memory {
 pub(crate) fn cells(world: &World) -> u64 {
     let stands = world.model.stands.iter().zip(&world.state.stands);
     stands.map(|(model, state)| state.awake.len() as u64 * u64::from(model.cells) * u64::from(model.cells)).sum()
+}
+
+/// How the cells that step are stored. The CPU's are whole, whatever the scene says.
+pub(crate) fn precision(world: &World, backend: &Backend<'_>) -> &'static str {
+    match (backend, &world.scene.budget.precision) {
+        (Backend::Gpu(..), Precision::Half) => "half",
+        _ => "full",
+    }
+}
+
+/// Model name of the processor, as Linux tells it.
+fn processor() -> Option<String> {
+    let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
+    let (_, name) = text.lines().find(|line| line.starts_with("model name"))?.split_once(':')?;
+    Some(name.trim().to_owned())
+}
+
+/// A field of a CSV file.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
 }
 
 impl Counters {
@@ -155,7 +181,8 @@ impl Report {
         Self {
             sward: env!("CARGO_PKG_VERSION"),
             system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
-            threads: std::thread::available_parallelism().map_or(1, usize::from),
+            processor: processor(),
+            threads: rayon::current_num_threads(),
             adapter: gpu.map(|gpu| gpu.adapter_info.name.clone()),
             driver: gpu.map(|gpu| gpu.adapter_info.driver_info.clone()),
             ..Self::default()
@@ -167,8 +194,10 @@ impl Report {
         let mut text = String::new();
         let [width, height] = self.size;
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{}: {} steps on {}, pictures of {width}x{height} on {}", self.scene, self.steps, self.on, self.drawn_on);
-        let _ = writeln!(text, "{}, {} threads, memory {:.1} GB/s (triad)\n", self.system, self.threads, self.triad);
+        let Self { scene, steps, on, precision, drawn_on, system, threads, triad, .. } = self;
+        let _ = writeln!(text, "{scene}: {steps} steps on {on} at {precision} precision, pictures of {width}x{height} on {drawn_on}");
+        let processor = self.processor.as_ref().map_or_else(String::new, |name| format!("{name}, "));
+        let _ = writeln!(text, "{processor}{system}, {threads} threads, memory {triad:.1} GB/s (triad)\n");
         let _ = writeln!(text, "{:32} {:>10} {:>10} {:>8}", "stage", "p50 ms", "p95 ms", "samples");
         for row in &self.stages {
             let _ = writeln!(text, "{:32} {:10.3} {:10.3} {:8}", row.stage, row.p50_ms, row.p95_ms, row.samples);
@@ -230,8 +259,8 @@ impl Report {
     pub(crate) fn csv(&self) -> String {
         let mut text = String::from("scene,on,stage,p50_ms,p95_ms,samples\n");
         for row in self.stages.iter().chain(&self.device_stages) {
-            let (on, stage) = (self.on.replace('"', "'"), row.stage.replace('"', "'"));
-            let _ = writeln!(text, "{},\"{on}\",\"{stage}\",{:.6},{:.6},{}", self.scene, row.p50_ms, row.p95_ms, row.samples);
+            let [scene, on, stage] = [&self.scene, &self.on, row.stage].map(quoted);
+            let _ = writeln!(text, "{scene},{on},{stage},{:.6},{:.6},{}", row.p50_ms, row.p95_ms, row.samples);
         }
         text
     }
