@@ -123,7 +123,7 @@ impl From<GpuError> for Failure {
             (GpuError::UnknownAdapter { .. }, _) => {
                 Self::input(text, "set SWARD_ADAPTER to a part of one of these names, or unset it; or do without a graphics card: --on cpu --draw cpu")
             }
-            (GpuError::TooManyCells { .. }, Some((what, advice))) => {
+            (GpuError::TooManyCells { .. } | GpuError::TooManyLagCells { .. }, Some((what, advice))) => {
                 Self::input(what, format!("{advice} in the scene; or do without a graphics card: --on cpu --draw cpu"))
             }
             _ => Self::failed(text),
@@ -139,7 +139,10 @@ mod tests {
     fn what_was_asked_for_and_is_not_there_is_wrong_input() {
         let unknown = Failure::from(GpuError::UnknownAdapter { wanted: "fast".to_owned(), found: "slow".to_owned() });
         let many = Failure::from(GpuError::TooManyCells { slots: 4096, cells: 256, most: 128 });
-        for (failure, words) in [(unknown, ["slow", "unset it"]), (many, ["holds 128", "budget.patches"])] {
+        let lagged = Failure::from(GpuError::TooManyLagCells { slots: 112, cells: 256, most: 85 });
+        let cases =
+            [(unknown, ["slow", "unset it"]), (many, ["holds 128", "budget.patches"]), (lagged, ["holds 85", "budget.lag_distance"])];
+        for (failure, words) in cases {
             let help = failure.help.clone().unwrap_or_default();
             assert_eq!(failure.status, 2);
             assert!(failure.message.contains(words[0]) && help.contains(words[1]) && help.contains("--on cpu"), "{failure:?}");
