@@ -29,7 +29,7 @@ pub enum TerrainError {
     },
     /// All edits together lie too far apart.
     #[error(
-        "the terrain's `edits` is {} m x {} m, allowed is a rectangle round all of them of at most {most} square metres: what the terrain's own samples leave",
+        "the terrain's `edits` is {} m x {} m, allowed is a rectangle round all of them of at most {most} square metres",
         .size[0], .size[1]
     )]
     Scattered {
