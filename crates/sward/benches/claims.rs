@@ -52,7 +52,7 @@ fn resting(wind: &str) -> World {
 /// 512 balls that roll in circles, one or two in each of 225 patches of 128 × 128 cells.
 fn crowded() -> World {
     let ball = |k: u32| {
-        let (x, z) = (f64::from(k % 23) * 10.3 - 113.0, f64::from(k / 23) * 10.3 - 113.0);
+        let (x, z) = (f64::from(k % 23) * 20.8 - 229.0, f64::from(k / 23) * 20.8 - 229.0);
         format!("(shape: Sphere(radius: 0.5), path: Circle(centre: ({x}, {z}), radius: 3, speed: {}))", 3.0 + f64::from(k % 5))
     };
     let balls: Vec<String> = (0..512).map(ball).collect();

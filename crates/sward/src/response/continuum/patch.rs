@@ -87,7 +87,7 @@ pub struct Wave<'a> {
 
 /// Rows worked on at a time, first their ω, then their β: so few places in memory are read at once, each for long enough that the
 /// processor fetches ahead.
-const BLOCK: usize = 32;
+const BLOCK: usize = 16;
 
 /// The row before, the row itself and the row after of a vector field; x and z, each with a cell of halo at both ends.
 #[derive(Default)]

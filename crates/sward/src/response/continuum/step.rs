@@ -43,6 +43,21 @@ fn each<T: Send, R: Send>(tasks: Vec<T>, work: impl Fn(T) -> R + Sync + Send) ->
     tasks.into_iter().map(work).collect()
 }
 
+/// As [`each`], with working space that each thread makes once.
+fn each_with<T: Send, S, R: Send>(
+    tasks: Vec<T>,
+    space: impl Fn() -> S + Sync + Send,
+    work: impl Fn(&mut S, T) -> R + Sync + Send,
+) -> Vec<R> {
+    #[cfg(feature = "parallel")]
+    return tasks.into_par_iter().map_init(space, work).collect();
+    #[cfg(not(feature = "parallel"))]
+    {
+        let mut space = space();
+        tasks.into_iter().map(|task| work(&mut space, task)).collect()
+    }
+}
+
 /// Pairs each task with the two time levels of its slot.
 fn with_levels<'a, 'b>(
     tasks: &'a mut [Task<'b>],
@@ -128,6 +143,7 @@ struct PatchWork<'a> {
     side: usize,
     wave: &'a Wave<'a>,
     old: &'a mut [f32],
+    scratch: &'a mut Scratch,
 }
 
 impl Work for PatchWork<'_> {
@@ -135,7 +151,7 @@ impl Work for PatchWork<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Summary {
-        step_patch(simd, self.co, self.side, self.wave, self.old, &mut Scratch::default())
+        step_patch(simd, self.co, self.side, self.wave, self.old, self.scratch)
     }
 }
 
@@ -204,7 +220,7 @@ fn wave(stand: &StandModel, tasks: &[Task], cells: &mut Cells, lanes: Lanes, las
     let mut olds: Vec<Option<&mut Box<[f32]>>> = cells.old.iter_mut().map(Some).collect();
     let work: Vec<(&Task, &mut Box<[f32]>)> =
         tasks.iter().filter_map(|task| olds[task.plan.slot as usize].take().map(|old| (task, old))).collect();
-    each(work, |(task, old)| {
+    each_with(work, Scratch::default, |scratch, (task, old)| {
         let slot = task.plan.slot as usize;
         let wave = Wave {
             now: &now[slot],
@@ -215,7 +231,7 @@ fn wave(stand: &StandModel, tasks: &[Task], cells: &mut Cells, lanes: Lanes, las
             held: &task.held,
             keep: if last { task.plan.keep } else { 1.0 },
         };
-        let summary = lanes.run(PatchWork { co: &stand.coefficients, side: stand.cells as usize, wave: &wave, old });
+        let summary = lanes.run(PatchWork { co: &stand.coefficients, side: stand.cells as usize, wave: &wave, old, scratch });
         (task.plan.patch, summary)
     })
 }
