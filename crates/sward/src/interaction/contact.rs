@@ -89,38 +89,63 @@ impl Hit {
     }
 }
 
-/// Edge choice of methods §1.1 for one cell.
+/// Cells of a row worked on together by [`contacts_of_row`].
+pub const ABREAST: usize = 8;
+
+/// Edge choice of methods §1.1 for cells side by side in a row.
 struct Nearest {
-    depth: f32,
-    normal: [f32; 2],
+    /// Negative where the cell's centre is outside.
+    inside: [i32; ABREAST],
+    depth: [f32; ABREAST],
+    normal: [[f32; ABREAST]; 2],
     /// Outward normal if the cell lies in the band of an edge that does not face away from the motion, else 0.
-    shape: [f32; 2],
+    shape: [[f32; ABREAST]; 2],
 }
 
-/// `None` if the point (units of the edges) is outside.
-fn nearest(edges: &[ContactEdge], point: [i32; 2], velocity: [f32; 2], speed: f32) -> Option<Nearest> {
-    let mut nearest = Nearest { depth: f32::MAX, normal: [0.0, 0.0], shape: [0.0, 0.0] };
-    let (mut chosen, mut chosen_facing) = (f32::MAX, 0.0);
+/// `first` is the centre of the first cell in units of the edges, `cell` the side of a cell.
+#[inline(always)]
+fn nearest(edges: &[ContactEdge], first: [i32; 2], cell: i32, velocity: [[f32; ABREAST]; 2], speed: [f32; ABREAST]) -> Nearest {
+    let none = [0.0; ABREAST];
+    let mut nearest = Nearest { inside: [0; ABREAST], depth: [f32::MAX; ABREAST], normal: [none; 2], shape: [none; 2] };
+    let (mut chosen, mut chosen_facing) = ([f32::MAX; ABREAST], none);
     for edge in edges {
-        let side = edge.along[0] * (point[1] - edge.start[1]) - edge.along[1] * (point[0] - edge.start[0]);
-        if side < 0 {
-            return None;
-        }
-        let distance = side as f32 * edge.metres;
-        if distance < nearest.depth {
-            (nearest.depth, nearest.normal) = (distance, edge.normal);
-        }
-        let facing = edge.normal[0] * velocity[0] + edge.normal[1] * velocity[1];
-        let closer = distance < chosen - 1e-4 || (distance <= chosen + 1e-4 && facing > chosen_facing);
-        if facing >= -1e-3 * speed && closer {
-            (chosen, chosen_facing) = (distance, facing);
-            nearest.shape = edge.normal;
+        let first_side = edge.along[0] * (first[1] - edge.start[1]) - edge.along[1] * (first[0] - edge.start[0]);
+        let slope = edge.along[1] * cell;
+        for k in 0..ABREAST {
+            let side = first_side - slope * k as i32;
+            nearest.inside[k] |= side;
+            let distance = side as f32 * edge.metres;
+            let nearer = mask(distance < nearest.depth[k]);
+            let facing = edge.normal[0] * velocity[0][k] + edge.normal[1] * velocity[1][k];
+            let closer = mask(distance < chosen[k] - 1e-4) | (mask(distance <= chosen[k] + 1e-4) & mask(facing > chosen_facing[k]));
+            let better = mask(facing >= -1e-3 * speed[k]) & closer;
+            nearest.depth[k] = either(nearer, distance, nearest.depth[k]);
+            nearest.normal[0][k] = either(nearer, edge.normal[0], nearest.normal[0][k]);
+            nearest.normal[1][k] = either(nearer, edge.normal[1], nearest.normal[1][k]);
+            chosen[k] = either(better, distance, chosen[k]);
+            chosen_facing[k] = either(better, facing, chosen_facing[k]);
+            nearest.shape[0][k] = either(better, edge.normal[0], nearest.shape[0][k]);
+            nearest.shape[1][k] = either(better, edge.normal[1], nearest.shape[1][k]);
         }
     }
-    if chosen > BAND {
-        nearest.shape = [0.0, 0.0];
+    for k in 0..ABREAST {
+        let near = mask(chosen[k] <= BAND);
+        nearest.shape[0][k] = either(near, nearest.shape[0][k], 0.0);
+        nearest.shape[1][k] = either(near, nearest.shape[1][k], 0.0);
     }
-    Some(nearest)
+    nearest
+}
+
+/// All bits where something holds, else none: with it [`either`] needs no branch, and the cells of a row share instructions.
+#[inline(always)]
+fn mask(holds: bool) -> u32 {
+    u32::from(holds).wrapping_neg()
+}
+
+/// `yes` where the mask has its bits, else `no`.
+#[inline(always)]
+fn either(mask: u32, yes: f32, no: f32) -> f32 {
+    f32::from_bits((yes.to_bits() & mask) | (no.to_bits() & !mask))
 }
 
 /// Height of a plane underside at `at` [m from the corner] for one end of the step.
@@ -155,25 +180,54 @@ fn underside(contact: &Contact, at: [f32; 2]) -> f32 {
 /// Contact of one cell: `cell` counted from the footprint's corner, `ground` the terrain height at its centre \[m\]. `None` if the
 /// piece does not reach the plants there.
 pub fn contact_at(contact: &Contact, edges: &[ContactEdge], cell: [i32; 2], ground: f32, plant_height: f32) -> Option<Hit> {
-    if cell[0] < 0 || cell[1] < 0 || cell[0] >= contact.size[0] || cell[1] >= contact.size[1] {
-        return None;
+    let mut first = None;
+    contacts_of_row(contact, edges, cell, |_| ground, plant_height, |k, hit| first = if k == 0 { Some(hit) } else { first });
+    first
+}
+
+/// Contacts of [`ABREAST`] cells side by side along +x, of which `first` is the first: see [`contact_at`]. `ground` gives the height at
+/// the k-th of them \[m\], and is asked of cells within the footprint only; `found` is told the contact of the k-th.
+#[inline(always)]
+pub fn contacts_of_row(
+    contact: &Contact,
+    edges: &[ContactEdge],
+    first: [i32; 2],
+    ground: impl Fn(usize) -> f32,
+    plant_height: f32,
+    mut found: impl FnMut(usize, Hit),
+) {
+    let beside = first[0] <= -(ABREAST as i32) || first[0] >= contact.size[0];
+    if beside || first[1] < 0 || first[1] >= contact.size[1] {
+        return;
     }
     let half = contact.shift - 1;
-    let point = [(2 * cell[0] + 1) << half, (2 * cell[1] + 1) << half];
-    let at = [(cell[0] as f32 + 0.5) * contact.spacing, (cell[1] as f32 + 0.5) * contact.spacing];
-    let arm = [at[0] - contact.centre[0], at[1] - contact.centre[1]];
-    let velocity = [contact.velocity[0] + contact.yaw_rate * arm[1], contact.velocity[1] - contact.yaw_rate * arm[0]];
-    let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
-    let nearest = nearest(edges, point, velocity, speed)?;
-    let clearance = underside(contact, at) - ground;
-    if clearance >= plant_height {
-        return None;
+    let point = [(2 * first[0] + 1) << half, (2 * first[1] + 1) << half];
+    let z = (first[1] as f32 + 0.5) * contact.spacing;
+    let (mut x, mut velocity, mut speed) = ([0.0; ABREAST], [[0.0; ABREAST]; 2], [0.0; ABREAST]);
+    for k in 0..ABREAST {
+        x[k] = ((first[0] + k as i32) as f32 + 0.5) * contact.spacing;
+        let arm = [x[k] - contact.centre[0], z - contact.centre[1]];
+        velocity[0][k] = contact.velocity[0] + contact.yaw_rate * arm[1];
+        velocity[1][k] = contact.velocity[1] - contact.yaw_rate * arm[0];
+        speed[k] = (velocity[0][k] * velocity[0][k] + velocity[1][k] * velocity[1][k]).sqrt();
     }
-    let height = math::upper(math::lower(clearance, contact.highest), 0.02);
-    let safe = math::upper(speed, 1e-12);
-    let heading = [velocity[0] / safe + nearest.shape[0], velocity[1] / safe + nearest.shape[1]];
-    let size = math::upper((heading[0] * heading[0] + heading[1] * heading[1]).sqrt(), 1e-12);
-    let direction = [heading[0] / size, heading[1] / size];
-    let along = velocity[0] * direction[0] + velocity[1] * direction[1];
-    Some(Hit { speed, direction, along, height, normal: nearest.normal, depth: nearest.depth })
+    let nearest = nearest(edges, point, 1 << contact.shift, velocity, speed);
+    for k in 0..ABREAST {
+        let column = first[0] + k as i32;
+        if column < 0 || column >= contact.size[0] || nearest.inside[k] < 0 {
+            continue;
+        }
+        let clearance = underside(contact, [x[k], z]) - ground(k);
+        if clearance >= plant_height {
+            continue;
+        }
+        let height = math::upper(math::lower(clearance, contact.highest), 0.02);
+        let safe = math::upper(speed[k], 1e-12);
+        let heading = [velocity[0][k] / safe + nearest.shape[0][k], velocity[1][k] / safe + nearest.shape[1][k]];
+        let size = math::upper((heading[0] * heading[0] + heading[1] * heading[1]).sqrt(), 1e-12);
+        let direction = [heading[0] / size, heading[1] / size];
+        let along = velocity[0][k] * direction[0] + velocity[1][k] * direction[1];
+        let normal = [nearest.normal[0][k], nearest.normal[1][k]];
+        found(k, Hit { speed: speed[k], direction, along, height, normal, depth: nearest.depth[k] });
+    }
 }

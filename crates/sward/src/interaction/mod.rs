@@ -12,7 +12,7 @@ mod piece;
 /// Contact of one cell in WGSL; the host declares `contact_edge(index: u32) -> ContactEdge`. Needs `math` before it.
 pub const WGSL: &str = include_str!("contact.wgsl");
 
-pub use contact::{Contact, ContactEdge, Hit, contact_at};
+pub use contact::{ABREAST, Contact, ContactEdge, Hit, contact_at, contacts_of_row};
 pub use convex::{Footprint, Grid, swept, swept_between};
 pub use figure::FigureBody;
 pub use motion::{Pose, Station, pose_on_path, stand as stand_on, station};

@@ -1,7 +1,7 @@
 //! Swept footprints (§5.1): area, sign, quantisation, paths and undersides.
 
 use crate::common::Dice;
-use sward::interaction::{Footprint, Grid, Pose, contact_at, pieces_of, pose_on_path, swept};
+use sward::interaction::{ABREAST, Footprint, Grid, Hit, Pose, contact_at, contacts_of_row, pieces_of, pose_on_path, swept};
 use sward::scene::{BoxShape, Ellipsoid, Polygon, Scene, Shape, Sphere};
 use sward::terrain::Terrain;
 
@@ -204,4 +204,32 @@ fn paths_are_continuous_and_bodies_face_their_motion() {
     }
     let circle = pose_on_path(&scene.interactors[1], [1.0, 2.0], &terrain, 0.0);
     assert!((circle.ground[0] - 3.0 - 4.0 * 1.0_f64.cos()).abs() < 1e-9 && (circle.ground[1] - 1.0 - 4.0 * 1.0_f64.sin()).abs() < 1e-9);
+}
+
+/// Cells asked side by side, wherever the first lies, answer as each does alone.
+#[test]
+fn contacts_of_rows_are_those_of_their_cells() {
+    let (mut dice, mut touched, mut shifted) = (Dice(7), 0, 0);
+    for _ in 0..200 {
+        let start = pose([dice.between(-50.0, 50.0), dice.between(-50.0, 50.0)], dice.between(-9.0, 9.0));
+        let way = [0, 1].map(|_| dice.between(-1.0, 1.0));
+        let end = pose([start.ground[0] + way[0], start.ground[1] + way[1]], start.yaw + dice.between(-0.1, 0.1));
+        let Footprint { contact, edges, .. } =
+            swept(&pieces_of(&shape(&mut dice))[0], &start, &end, 1.0 / 60.0, &GRID, 0).expect("large enough");
+        let ground = |column: i32| 0.01 * column as f32 - 0.2;
+        let alone = |column: i32, row: i32| contact_at(&contact, &edges, [column, row], ground(column), 0.4);
+        for row in -1..=contact.size[1] {
+            for first in [-9, -3, 0, 5] {
+                let mut hits: [Option<Hit>; ABREAST] = [None; ABREAST];
+                contacts_of_row(&contact, &edges, [first, row], |k| ground(first + k as i32), 0.4, |k, hit| hits[k] = Some(hit));
+                let cells: Vec<Option<Hit>> = (first..first + ABREAST as i32).map(|column| alone(column, row)).collect();
+                assert_eq!(hits.to_vec(), cells);
+                touched += hits.iter().flatten().count();
+                shifted += usize::from(
+                    hits.iter().flatten().count() > 0 && (1..=ABREAST as i32).any(|k| hits[k as usize - 1] != alone(first + k, row)),
+                );
+            }
+        }
+    }
+    assert!(touched > 10_000 && shifted > 1_000, "control: {touched} cells, {shifted} rows differ from those beside them");
 }

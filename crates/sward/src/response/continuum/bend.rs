@@ -3,7 +3,7 @@
 //! Chen & Johan 2010, §4.3, §5.1–5.2, eq. 1, 10–12. Reads contacts, β, slope. Writes β, ω and both one step earlier. Twin: `bend.wgsl`.
 //! Differs from the paper: exact solution instead of Euler, vector bend, held cells, floor under resting bodies (docs/papers.md).
 
-use super::coefficients::{Coefficients, RATE_LIMIT, bend_limit};
+use super::coefficients::{Coefficients, HALF_PI, RATE_LIMIT, bend_limit};
 use crate::interaction::Hit;
 use crate::math;
 
@@ -31,16 +31,25 @@ pub fn push(co: &Coefficients, bend: [f32; 2], hit: &Hit) -> f32 {
     math::atan(math::tan(t) + hit.along * co.step / hit.height) - t
 }
 
+/// [`bend_limit`], known at once on level ground.
+#[inline(always)]
+fn limit_at(slope: [f32; 2], bend: [f32; 2]) -> f32 {
+    if slope == [0.0; 2] { HALF_PI } else { bend_limit(slope, bend) }
+}
+
+#[inline(always)]
 fn length(v: [f32; 2]) -> f32 {
     (v[0] * v[0] + v[1] * v[1]).sqrt()
 }
 
+#[inline(always)]
 fn scaled_to(v: [f32; 2], wanted: f32) -> [f32; 2] {
     let now = length(v);
     if now > 1e-12 { [v[0] * (wanted / now), v[1] * (wanted / now)] } else { v }
 }
 
 /// `bend` turned towards the unit vector `direction` by at most the turn of one step; ties turn from +x to +z.
+#[inline(always)]
 fn turned(co: &Coefficients, bend: [f32; 2], direction: [f32; 2]) -> [f32; 2] {
     let size = length(bend);
     let dot = bend[0] * direction[0] + bend[1] * direction[1];
@@ -53,6 +62,7 @@ fn turned(co: &Coefficients, bend: [f32; 2], direction: [f32; 2]) -> [f32; 2] {
 }
 
 /// Bend of a cell under the hit with the largest push, before the floor (the three cases of methods §1.2).
+#[inline(always)]
 fn driven(co: &Coefficients, bend: [f32; 2], hit: &Hit, delta: f32, slope: [f32; 2]) -> Held {
     let d = hit.direction;
     let dot = bend[0] * d[0] + bend[1] * d[1];
@@ -67,7 +77,7 @@ fn driven(co: &Coefficients, bend: [f32; 2], hit: &Hit, delta: f32, slope: [f32;
         rate = [(next[0] - bend[0]) / co.step, (next[1] - bend[1]) / co.step];
         next
     };
-    let limit = bend_limit(slope, next);
+    let limit = limit_at(slope, next);
     if length(next) > limit {
         next = scaled_to(next, limit);
     }
@@ -78,10 +88,11 @@ fn driven(co: &Coefficients, bend: [f32; 2], hit: &Hit, delta: f32, slope: [f32;
 }
 
 /// The floor under a body: |β| ≥ min(θ_max, atan(depth/h)), approached along β itself, along the edge normal only if β has no direction.
+#[inline(always)]
 fn floored(co: &Coefficients, bend: [f32; 2], deepest: &Hit, slope: [f32; 2]) -> [f32; 2] {
     let size = length(bend);
     let along = if size < 1e-3 { deepest.normal } else { [bend[0] / size, bend[1] / size] };
-    let floor = math::lower(bend_limit(slope, along), deepest.floor());
+    let floor = math::lower(limit_at(slope, along), deepest.floor());
     if size >= floor {
         return bend;
     }
@@ -91,6 +102,7 @@ fn floored(co: &Coefficients, bend: [f32; 2], deepest: &Hit, slope: [f32; 2]) ->
 
 /// Contact of one cell with all bodies that reach it: the largest push wins (ties to the lower body), then the highest floor holds.
 /// `hits` are in body order. `None` if nothing touches.
+#[inline(always)]
 pub fn contact(co: &Coefficients, bend: [f32; 2], slope: [f32; 2], hits: impl Iterator<Item = Hit>) -> Option<Held> {
     let mut strongest: Option<(f32, Hit)> = None;
     let mut deepest: Option<Hit> = None;

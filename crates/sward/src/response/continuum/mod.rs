@@ -12,6 +12,7 @@ mod patch;
 mod propagate;
 mod rest;
 mod step;
+mod touch;
 
 /// The functions of this response in WGSL, in the order they need each other; they need `math`, `wind` and `contact` before them.
 pub const WGSL: [&str; 4] =
@@ -22,7 +23,8 @@ pub const HALF_WGSL: &str = include_str!("half.wgsl");
 pub use bend::{Held, contact, push};
 pub use coefficients::{Coefficients, HALF_PI, RATE_LIMIT, REST, SMALLEST_LIMIT, bend_limit, safe_limit};
 pub use lag::{LagCoefficients, cascade, from_history, look_up_offset};
-pub use patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
+pub use patch::{Scratch, Wave, step_patch, wake_patch};
 pub use propagate::{Rows, bends, deviation, fade_row, keep_held, limit_row, rates};
 pub use rest::{NODE_CELLS, Rest};
 pub use step::{Stage, ground_of, lag_planes, lags, step};
+pub use touch::{PatchContacts, Touched, touch_patch};

@@ -1,71 +1,16 @@
-//! One step of one patch on the CPU: contact, then the wave row by row, then upper segments.
+//! The wave of one patch on the CPU, row by row.
 //!
 //! The wave is written so that the compiler vectorises it; `pulp` picks the widest instructions of the machine at run time. Every
 //! level computes the same bits.
 
 use std::ops::Range;
 
-use super::bend;
 use super::coefficients::{Coefficients, RATE_LIMIT};
 use super::propagate::{Rows, bends, deviation, fade_row, keep_held, largest, limit_row, rates};
 use super::rest::Rest;
 use crate::activation::BAND;
-use crate::interaction::{Contact, ContactEdge, Hit, contact_at};
 use crate::lanes::Simd;
 use crate::state::{Ground, Summary};
-
-/// Contacts that reach a patch.
-pub struct PatchContacts<'a> {
-    /// Contacts with their footprint's corner cell counted from the patch's own corner.
-    pub contacts: &'a [(Contact, [i32; 2])],
-    /// Edge list of the step.
-    pub edges: &'a [ContactEdge],
-}
-
-/// Bends the cells under bodies. `now` and `old` are the patch's two time levels; held cells get 1 in `held`.
-pub fn touch_patch(
-    co: &Coefficients,
-    cells: usize,
-    by: &PatchContacts,
-    ground: &Ground,
-    now: &mut [f32],
-    old: &mut [f32],
-    held: &mut [u8],
-) {
-    let area = cells * cells;
-    let mut hits = hits_of(co, cells, by, ground);
-    // Stable: hits of a cell stay in body order.
-    hits.sort_by_key(|(cell, _)| *cell);
-    for same in hits.chunk_by(|a, b| a.0 == b.0) {
-        let cell = same[0].0;
-        let bend = [now[cell], now[area + cell]];
-        if let Some(next) = bend::contact(co, bend, ground.slope(cells, cell), same.iter().map(|(_, hit)| *hit)) {
-            held[cell] = 1;
-            for (plane, value) in [next.bend[0], next.bend[1], next.rate[0], next.rate[1]].into_iter().enumerate() {
-                now[plane * area + cell] = value;
-                old[plane * area + cell] = value;
-            }
-        }
-    }
-}
-
-/// Cells that bodies reach, body by body: only those within a footprint's own bounds are looked at.
-fn hits_of(co: &Coefficients, cells: usize, by: &PatchContacts, ground: &Ground) -> Vec<(usize, Hit)> {
-    let side = cells as i32;
-    let within = |low: i32, size: i32| low.clamp(0, side)..low.saturating_add(size).clamp(0, side);
-    let mut hits = Vec::new();
-    for (contact, corner) in by.contacts {
-        let edges = &by.edges[contact.edge_first as usize..][..contact.edge_count as usize];
-        for j in within(corner[1], contact.size[1]) {
-            for i in within(corner[0], contact.size[0]) {
-                let cell = j as usize * cells + i as usize;
-                let hit = contact_at(contact, edges, [i - corner[0], j - corner[1]], ground.height(cells, cell), co.plant_height);
-                hits.extend(hit.map(|hit| (cell, hit)));
-            }
-        }
-    }
-    hits
-}
 
 /// What the wave of one patch reads.
 pub struct Wave<'a> {
@@ -79,8 +24,8 @@ pub struct Wave<'a> {
     pub ground: &'a Ground,
     /// |β| below which no limit can bind, rad.
     pub safe_limit: f32,
-    /// 1 where a body holds a cell; empty if none.
-    pub held: &'a [u8],
+    /// Cells that bodies hold, in order.
+    pub held: &'a [u32],
     /// Share of the deviation kept: 1, less while the patch fades.
     pub keep: f32,
 }
@@ -103,6 +48,9 @@ pub struct Scratch {
     /// Of each row of a block, what `rates` leaves for `bends`.
     pace: [Vec<f32>; 2],
     deviations: Vec<u32>,
+    /// Mask of a row's held cells, and how many of the patch's are in rows done.
+    held: Vec<u8>,
+    held_done: usize,
 }
 
 impl Scratch {
@@ -112,6 +60,7 @@ impl Scratch {
         self.columns.iter_mut().for_each(|column| column.resize(4 * cells, 0.0));
         self.pace.iter_mut().for_each(|rows| rows.resize(BLOCK * cells, 0.0));
         self.deviations.resize(BLOCK * cells, 0);
+        self.held.resize(cells, 0);
     }
 }
 
@@ -232,6 +181,7 @@ impl Sum {
 #[inline(always)]
 pub fn step_patch<S: Simd>(simd: S, co: &Coefficients, cells: usize, wave: &Wave, old: &mut [f32], scratch: &mut Scratch) -> Summary {
     scratch.resize(cells);
+    scratch.held_done = 0;
     let mut sum = Sum { squares: [0; 5], clamped: 0 };
     fill_columns(wave, cells, &mut scratch.columns);
     for j in [-1, 0] {
@@ -272,6 +222,21 @@ fn block_rates<S: Simd>(
     fastest
 }
 
+/// The mask of row `j`: 1 where a cell is held; empty where none is. `done` counts the held cells of the rows before.
+#[inline(always)]
+fn held_row<'a>(held: &[u32], done: &mut usize, cells: usize, j: usize, mask: &'a mut [u8]) -> &'a [u8] {
+    let (first, end) = (j * cells, (j + 1) * cells);
+    let row = held[*done..].iter().map(|cell| *cell as usize).take_while(|cell| *cell < end);
+    let count = row.clone().count();
+    if count == 0 {
+        return &[];
+    }
+    *done += count;
+    mask.fill(0);
+    row.for_each(|cell| mask[cell - first] = 1);
+    mask
+}
+
 /// β of some rows, then what holds, limits and fades β and ω.
 #[inline(always)]
 fn block_bends<S: Simd>(
@@ -299,7 +264,7 @@ fn block_bends<S: Simd>(
         let Some([x, z, rate_x, rate_z]) = planes_mut(old, cells, j) else { continue };
         let [most, mut deviation] = bends(simd, co, &scratch.bends.rows(cells), rest, pace, [&mut *x, &mut *z], bits);
         let mut next = [x, z, rate_x, rate_z];
-        let held = if wave.held.is_empty() { wave.held } else { &wave.held[j * cells..][..cells] };
+        let held = held_row(wave.held, &mut scratch.held_done, cells, j, &mut scratch.held);
         keep_held([0, 1, 2, 3].map(|plane| plane_row(wave.now, cells, plane, j)), held, &mut next);
         let over = most > safe[0] || fastest[k] > safe[1];
         if over {

@@ -5,10 +5,10 @@ use rayon::prelude::*;
 
 use super::coefficients::{Coefficients, safe_limit};
 use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
-use super::patch::{PatchContacts, Scratch, Wave, step_patch, touch_patch, wake_patch};
+use super::patch::{Scratch, Wave, step_patch, wake_patch};
 use super::rest::Rest;
+use super::touch::{PatchContacts, Touched, touch_patch};
 use crate::growth::BARE;
-use crate::interaction::Contact;
 use crate::lanes::{Lanes, Simd, Work};
 use crate::plan::{PatchPlan, StandPlan};
 use crate::response::StandModel;
@@ -32,7 +32,8 @@ pub enum Stage {
 struct Task<'a> {
     plan: &'a PatchPlan,
     rest: Rest,
-    held: Vec<u8>,
+    /// Cells that bodies hold, in order.
+    held: Vec<u32>,
 }
 
 /// Runs `work` over the tasks, on all cores where the feature is on.
@@ -113,16 +114,22 @@ fn shape_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
     Ground { values, steepest, level: 0.0 }
 }
 
-fn touch(stand: &StandModel, plan: &StandPlan, task: &mut Task, levels: (&mut [f32], &mut [f32]), ground: &Ground) {
-    let cells = stand.cells as usize;
-    let contacts: Vec<(Contact, [i32; 2])> =
-        plan.pairs[task.plan.pairs.clone()].iter().map(|pair| (plan.contacts[pair.contact as usize], pair.corner)).collect();
-    if contacts.is_empty() {
-        return;
+/// Contact of one patch.
+struct TouchWork<'a> {
+    stand: &'a StandModel,
+    by: PatchContacts<'a>,
+    ground: &'a Ground,
+    now: &'a mut [f32],
+    touched: &'a mut Touched,
+}
+
+impl Work for TouchWork<'_> {
+    type Output = Vec<u32>;
+
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) -> Vec<u32> {
+        touch_patch(&self.stand.coefficients, self.stand.cells as usize, &self.by, self.ground, self.now, self.touched)
     }
-    task.held = vec![0; cells * cells];
-    let by = PatchContacts { contacts: &contacts, edges: &plan.edges };
-    touch_patch(&stand.coefficients, cells, &by, ground, levels.0, levels.1, &mut task.held);
 }
 
 /// Makes room for the slots a plan names.
@@ -185,14 +192,17 @@ pub fn step(
     reserve(cells, plan, side * side);
     let mut tasks = rest(stand, plan);
     ended(Stage::Rest);
-    each(with_levels(&mut tasks, cells), |(task, now, old, ground)| {
+    each_with(with_levels(&mut tasks, cells), Touched::default, |touched, (task, now, old, ground)| {
         if task.plan.woken {
             wake_patch(side, &task.rest, now, old);
         }
         if task.plan.woken || task.plan.edited {
             *ground = ground_of(terrain, stand, task.plan.patch);
         }
-        touch(stand, plan, task, (now, old), ground);
+        if !task.plan.pairs.is_empty() {
+            let by = PatchContacts { pairs: &plan.pairs[task.plan.pairs.clone()], contacts: &plan.contacts, edges: &plan.edges };
+            task.held = lanes.run(TouchWork { stand, by, ground, now, touched });
+        }
     });
     ended(Stage::Contact);
     let mut summaries = Vec::new();

@@ -8,35 +8,31 @@ use sward_wgpu::stopwatch::Stopwatch;
 
 use super::PAIRS;
 use super::measure::{Interval, Stages, interval, seconds};
-use super::report;
 use crate::artist::Artist;
 use crate::backend::Backend;
 use crate::failure::Failure;
 use crate::progress::Progress;
 
-/// Steps timed pass by pass. Returns the cells they moved and the time of all passes, ns.
+/// Steps timed pass by pass.
 pub(crate) fn time_steps(
     world: &mut World,
     backend: &mut Backend<'_>,
     steps: u32,
     stages: &mut Stages,
     progress: &mut Progress,
-) -> Result<[f64; 2], Failure> {
-    let Backend::Gpu(gpu, step) = backend else { return Ok([0.0; 2]) };
+) -> Result<(), Failure> {
+    let Backend::Gpu(gpu, step) = backend else { return Ok(()) };
     step.stopwatch = Stopwatch::new(gpu);
-    let mut sum = [0.0; 2];
     for _ in 0..steps {
         step.step(gpu, world)?;
         progress.advance();
-        sum[0] += report::cells(world) as f64;
         let Some(stopwatch) = &mut step.stopwatch else { continue };
         for (stage, milliseconds) in stopwatch.read(gpu)? {
             stages.add(stage, milliseconds);
-            sum[1] += 1e6 * milliseconds;
         }
     }
     step.stopwatch = None;
-    Ok(sum)
+    Ok(())
 }
 
 /// Pictures timed pass by pass.

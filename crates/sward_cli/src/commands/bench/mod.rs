@@ -51,17 +51,19 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
     }
     let before = Counters::of(&world, &backend);
     let mut stages = Stages::default();
+    let begun = Instant::now();
     for _ in 0..arguments.steps {
         step(&mut world, &mut backend, &mut stages)?;
         progress.advance();
     }
+    let stepped = begun.elapsed();
     let counters = Counters::of(&world, &backend).since(&before);
     for _ in 0..PICTURES {
         stages.time("picture", || artist.draw(&mut world, &mut backend, 0.0, arguments.size))?;
         progress.advance();
     }
     let mut by_device = Stages::default();
-    let moved = device::time_steps(&mut world, &mut backend, arguments.steps, &mut by_device, &mut progress)?;
+    device::time_steps(&mut world, &mut backend, arguments.steps, &mut by_device, &mut progress)?;
     device::time_pictures(&mut world, &mut backend, &mut artist, (PICTURES, arguments.size), &mut by_device, &mut progress)?;
     let half_to_full = device::half_to_full(&mut world, &mut backend, &mut progress)?;
     let mut triad = Triad::new();
@@ -86,7 +88,7 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
         counters,
         memory: Memory::of(&world, &backend),
         device_stages: by_device.rows(),
-        device_ns_per_cell: (moved[1] > 0.0).then(|| moved[1] / moved[0].max(1.0)),
+        ns_per_cell: (counters.cell_steps > 0).then(|| 1e9 * stepped.as_secs_f64() / counters.cell_steps as f64),
         half_to_full,
         ratio: ratio(&measured),
         ..Report::of_machine(gpu.as_ref())

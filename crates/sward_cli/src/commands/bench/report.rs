@@ -37,10 +37,10 @@ pub(crate) struct Report {
     #[serde(rename = "triad_gb_per_s")]
     pub(crate) triad: f64,
     pub(crate) stages: Vec<Row>,
+    /// Whole steps, waited for, per cell; none where no cell was touched.
+    pub(crate) ns_per_cell: Option<f64>,
     /// Passes by the device's own clock; none where it has no clock or was not used.
     pub(crate) device_stages: Vec<Row>,
-    /// All passes of a step, per cell.
-    pub(crate) device_ns_per_cell: Option<f64>,
     /// Time of a step at half precision over that at full, on the GPU.
     pub(crate) half_to_full: Option<Interval>,
     pub(crate) counters: Counters,
@@ -235,8 +235,8 @@ impl Report {
                 counters.upper_bytes_moved as f64 / counters.cell_steps.max(1) as f64
             );
         }
-        if let Some(nanoseconds) = self.device_ns_per_cell {
-            let _ = writeln!(text, "passes of a step: {nanoseconds:.2} ns a cell");
+        if let Some(nanoseconds) = self.ns_per_cell {
+            let _ = writeln!(text, "a step takes {nanoseconds:.1} ns a cell");
         }
         if let Some(Interval { median, low, high, pairs }) = self.half_to_full {
             let _ = writeln!(text, "a step at half precision takes {median:.2} of one at full ({low:.2} to {high:.2}, {pairs} pairs)");
