@@ -230,7 +230,7 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
         stands.push(StandModel {
             name: stand.label(),
             growth: Growth { limits: own.map(|(limit, _)| Arc::clone(limit)).collect(), slopes: stand.slope },
-            lag: LagCoefficients::new(&species.continuum, species.billboard.segments, dt),
+            lag: LagCoefficients::new(&species.continuum, species.segments(), dt),
             tolerance: tolerance(&species, sources),
             species,
             cells: stand.cells,

@@ -18,6 +18,8 @@ mod purpose {
     pub(super) const YAW: u32 = 5;
     pub(super) const TINT: u32 = 6;
     pub(super) const CLUMP: u32 = 7;
+    /// The first of those about blades.
+    pub(super) const BLADE: u32 = 16;
 }
 
 /// How one stand is placed. The same bytes are a uniform of the WGSL twin.
@@ -98,6 +100,12 @@ pub fn plant(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> Option
 /// The plant of a cell of which the growth map says `growth`: 0 nothing grows, 255 all does, between them it is lower.
 pub fn grown(plant: Plant, growth: u8) -> Option<Plant> {
     (growth > 0).then(|| Plant { height: plant.height * (f32::from(growth) / 255.0), ..plant })
+}
+
+/// A chance number, 0 to 1, about blade number `blade` of the plant in a cell; `question` is below 16.
+pub fn of_blade(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2], blade: u32, question: u32) -> f32 {
+    let index = cell[1] * p.cells + cell[0];
+    math::unit(math::hash(p.seed, patch[0], patch[1], index, purpose::BLADE * (blade + 1) + question))
 }
 
 /// Whether the plant of a cell is still there where only `share` of them are.

@@ -7,6 +7,7 @@ const PLACEMENT_HEIGHT: u32 = 4u;
 const PLACEMENT_YAW: u32 = 5u;
 const PLACEMENT_TINT: u32 = 6u;
 const PLACEMENT_CLUMP: u32 = 7u;
+const PLACEMENT_BLADE: u32 = 16u;
 
 struct PlacementParameters {
     seed: u32,
@@ -65,6 +66,11 @@ fn placement_plant(p: PlacementParameters, patch_: vec2<i32>, cell: vec2<u32>) -
     plant.yaw = placement_random(p, patch_, index, PLACEMENT_YAW) * 6.2831855;
     plant.tint = placement_random(p, patch_, index, PLACEMENT_TINT);
     return plant;
+}
+
+// A chance number about a blade of the plant in a cell.
+fn placement_of_blade(p: PlacementParameters, patch_: vec2<i32>, cell: vec2<u32>, blade: u32, question: u32) -> f32 {
+    return placement_random(p, patch_, cell.y * p.cells + cell.x, PLACEMENT_BLADE * (blade + 1u) + question);
 }
 
 // The plant where the growth map says `growth`, 0 to 255: nothing, lower, or all of it.

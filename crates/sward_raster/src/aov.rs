@@ -1,11 +1,13 @@
 //! The outputs beside a picture: depth, motion and plant of each pixel.
 
 use sward::picture::aov::{Aov, AovPixel, AovUniform};
+use sward::picture::blade_plan::LEVELS;
 use sward::picture::past::Past;
 use sward::world::World;
 
 use crate::bodies::Bodies;
 use crate::each::each;
+use crate::blades;
 use crate::plants::Batch;
 use crate::sight::Sight;
 use crate::studio::{Layout, Moment, Studio};
@@ -16,6 +18,8 @@ pub(crate) struct Before {
     camera: AovUniform,
     bodies: Bodies,
     batches: Vec<Batch>,
+    /// In the order of [`Moment::strips`].
+    strips: Vec<blades::Past>,
 }
 
 impl Studio {
@@ -27,6 +31,20 @@ impl Studio {
             let cells = &past.world.state.stands[drawn.stand].cells;
             self.solve(world, cells, drawn.stand, &plan, uniform, &past.wind(drawn.stand))
         };
+        let solved: Vec<[blades::Past; LEVELS]> = (moment.blade_plans.iter().zip(&moment.strips))
+            .filter_map(|((stand, plan), strips)| {
+                let then = past.blades(*stand, moment.origin, plan)?;
+                let uniform = past.uniform(*stand, moment.origin, false, &world.model.terrain);
+                let wind = past.wind(*stand);
+                let cells = &past.world.state.stands[*stand].cells;
+                let blades = self.blades(world, cells, *stand, uniform, &wind, then.uniform);
+                Some([0, 1, 2].map(|level: usize| strips[level].past(level, &blades, &then, past.identity(*stand))))
+            })
+            .collect();
+        let mut by_level: [Vec<blades::Past>; LEVELS] = Default::default();
+        for stand in solved {
+            by_level.iter_mut().zip(stand).for_each(|(all, own)| all.push(own));
+        }
         let draws = past.bodies(&moment.frame, &moment.draws, &self.mesh_of);
         // A body that was away has not moved.
         let moved: Vec<_> = moment.moved.iter().enumerate().map(|(body, now)| past.moved(body).or_else(|| now.clone())).collect();
@@ -34,6 +52,7 @@ impl Studio {
             camera: past.camera(&moment.frame, moment.size),
             bodies: Bodies::new(&self.posed(&moved), &draws),
             batches: moment.plans.iter().map(solve).collect(),
+            strips: by_level.into_iter().flatten().collect(),
         }
     }
 
@@ -45,6 +64,9 @@ impl Studio {
             moment.bodies.trace(sight, &mut tile, layout.bodies.of(index), &before.bodies);
             for ((batch, then), bins) in moment.batches.iter().zip(&before.batches).zip(&layout.batches) {
                 batch.trace(sight, &self.clumps, &mut tile, bins.of(index), then);
+            }
+            for ((strips, then), bins) in moment.strips().zip(&before.strips).zip(&layout.strips) {
+                strips.trace(sight, &mut tile, bins.of(index), then);
             }
             layout.ground.trace(&mut tile, index);
             tile.fill(sight);

@@ -146,6 +146,6 @@ fn changes(at: [Vec2; 4]) -> ([Vec2; 4], [Vec2; 4]) {
 }
 
 /// Alpha as coverage: sample k is covered where alpha exceeds k / 4.
-fn coverage(alpha: f32) -> u16 {
+pub(crate) fn coverage(alpha: f32) -> u16 {
     (0..4).map(|sample| u16::from(alpha > sample as f32 * 0.25) << sample).sum()
 }

@@ -5,7 +5,7 @@
 //! [`sward::shading`]), four samples a pixel at the same places, alpha as coverage, and tone mapping per sample. Differences that
 //! remain are roundings, and filters whose precision graphics drivers choose themselves.
 //!
-//! Memory depends on the picture's size and `budget.visible_plants`. No threads are needed: the feature `parallel` only draws tiles at
+//! Memory depends on the picture's size and `budget.visible_plants` and `visible_blades`. No threads are needed: the feature `parallel` only draws tiles at
 //! the same time, and the picture does not depend on how many. No clocks, no files, no `unsafe`: it also runs in a browser.
 //!
 //! ```
@@ -20,6 +20,7 @@
 
 mod aov;
 mod bins;
+mod blades;
 mod bodies;
 mod clumps;
 mod each;

@@ -5,6 +5,8 @@ use sward::geometry::relief::Relief;
 use sward::growth::Near;
 use sward::picture::Picture;
 use sward::picture::aov::Aov;
+use sward::picture::blade_plan::{self, BladePlan, BladeUniform, LEVELS};
+use sward::picture::blades::Blades;
 use sward::picture::frame::{BodyDraw, FrameUniform};
 use sward::picture::past::Past;
 use sward::picture::plan::{self, BatchPlan, Seen};
@@ -12,12 +14,14 @@ use sward::picture::plants::Plant;
 use sward::picture::prepare::{PrepareUniform, Preparing};
 use sward::picture::subject::{self, Frame, SHADOW_REACH};
 use sward::response::continuum::NODE_CELLS;
+use sward::shading::blade::BladeStyle;
 use sward::shading::look::{Look, Turf};
 use sward::state::{Cells, PatchKey};
 use sward::wind::WindField;
 use sward::world::World;
 
 use crate::bins::Bins;
+use crate::blades::{self, Strips};
 use crate::bodies::Bodies;
 use crate::clumps::Clumps;
 use crate::each::each;
@@ -66,7 +70,7 @@ impl Studio {
     /// Draws the moment `behind` steps (0 to 1) before the state: see [`World::behind`].
     pub fn draw_before(&self, world: &World, behind: f64, size: [u32; 2]) -> Picture {
         let moment = self.moment(world, behind, size);
-        let shadows = self.shadow_map(&moment.uniform, &moment.batches, &moment.bodies);
+        let shadows = self.shadow_map(&moment);
         let sight = Sight::new(moment.uniform, moment.size, &shadows);
         self.paint(&sight, &self.layout(&sight, &moment, world), &moment)
     }
@@ -75,7 +79,7 @@ impl Studio {
     /// leads to `past`: the moment of the picture before, or that of this one, and it is 0.
     pub fn draw_aov(&self, world: &World, past: &Past, behind: f64, size: [u32; 2]) -> (Picture, Aov) {
         let moment = self.moment(world, behind, size);
-        let shadows = self.shadow_map(&moment.uniform, &moment.batches, &moment.bodies);
+        let shadows = self.shadow_map(&moment);
         let sight = Sight::new(moment.uniform, moment.size, &shadows);
         let layout = self.layout(&sight, &moment, world);
         let before = self.before(world, past, &moment);
@@ -93,10 +97,12 @@ impl Studio {
         let uniform = FrameUniform::new(&input, self.relief.frame(input.origin), size, SHADOW_REACH);
         let camera = [input.view.position.x, input.view.position.z];
         let growth = input.growth;
-        let (plans, batches) = self.prepare(world, &Seen { view: &view, origin, fullness: 1.0, behind });
+        let seen = Seen { view: &view, origin, fullness: 1.0, behind };
+        let (plans, batches) = self.prepare(world, &seen);
+        let (blade_plans, strips) = self.grow(world, &seen, &uniform);
         let moved: Vec<Option<Mesh>> = (0..self.mesh_of.len()).map(|body| subject::moved(world, body, behind)).collect();
         let bodies = Bodies::new(&self.posed(&moved), &draws);
-        Moment { size, frame, origin, uniform, camera, growth, plans, batches, draws, moved, bodies }
+        Moment { size, frame, origin, uniform, camera, growth, plans, batches, blade_plans, strips, draws, moved, bodies }
     }
 
     /// The meshes; those of bodies that play a clip have `moved`.
@@ -113,7 +119,7 @@ impl Studio {
     /// Near plants of all stands, then plain ones: near to far.
     fn prepare(&self, world: &World, seen: &Seen) -> (Vec<Drawn>, Vec<Batch>) {
         let stands = &world.model.stands;
-        let share = world.scene.budget.visible_plants / (stands.len().max(1) as u32);
+        let share = plan::share(world);
         let plan = |index: usize| plan::plan(world, index, seen, &self.looks[index], share);
         let plans: Vec<([BatchPlan; 2], f64)> = (0..stands.len()).map(plan).collect();
         let mut drawn = Vec::new();
@@ -133,6 +139,40 @@ impl Studio {
         };
         let batches = drawn.iter().map(solve).collect();
         (drawn.into_iter().map(|(drawn, _)| drawn).collect(), batches)
+    }
+
+    /// The blades of all stands of them, and what was decided of each.
+    fn grow(&self, world: &World, seen: &Seen, frame: &FrameUniform) -> (Vec<(usize, BladePlan)>, Vec<[Strips; LEVELS]>) {
+        let plans = blade_plan::plan(world, seen, &self.looks, &frame.view_projection, false).into_iter().enumerate();
+        let plans: Vec<(usize, BladePlan)> = plans.filter_map(|(stand, plan)| Some((stand, plan?))).collect();
+        let solve = |(index, plan): &(usize, BladePlan)| {
+            let stand = &world.model.stands[*index];
+            let prepare = PrepareUniform::new(world, stand, false, seen, &self.looks[*index]);
+            let wind = world.wind_before(stand, seen.behind);
+            let blades = self.blades(world, &world.state.stands[*index].cells, *index, prepare, &wind, plan.uniform);
+            let style = |level: usize| {
+                let shape = [plan.uniform.pieces[level], 0, 0, level as u32];
+                stand.species.blade.as_ref().map(|blade| BladeStyle::new(blade, &self.looks[*index], shape))
+            };
+            Some(blades::solve(&blades, plan, [style(0)?, style(1)?, style(2)?]))
+        };
+        let strips = plans.iter().filter_map(solve).collect();
+        (plans, strips)
+    }
+
+    /// What solves the blades of a stand, bent as `cells` say, on the ground of a world.
+    pub(crate) fn blades<'a>(
+        &self,
+        world: &'a World,
+        cells: &'a Cells,
+        index: usize,
+        prepare: PrepareUniform,
+        wind: &'a WindField,
+        uniform: BladeUniform,
+    ) -> Blades<'a> {
+        let stand = &world.model.stands[index];
+        let intervals = stand.cells / NODE_CELLS;
+        Blades { preparing: Preparing { uniform: prepare, cells, terrain: &world.model.terrain, stand, wind, intervals }, uniform }
     }
 
     /// Solves the plants of a batch of a stand, bent as `cells` say, on the ground of a world.
@@ -164,14 +204,19 @@ impl Studio {
         Batch::new(plants, joints, &self.looks[index], uniform.drawn, billboard.cards)
     }
 
-    fn shadow_map(&self, frame: &FrameUniform, batches: &[Batch], bodies: &Bodies) -> ShadowMap {
+    fn shadow_map(&self, moment: &Moment) -> ShadowMap {
+        let Moment { uniform: frame, batches, bodies, .. } = moment;
         let body_bins = bodies.shadow_bins(frame);
         let bins: Vec<Bins> = batches.iter().map(|batch| batch.shadow_bins(frame)).collect();
+        let blade_bins: Vec<Bins> = moment.strips().map(|strips| strips.shadow_bins(frame)).collect();
         let tiles = each((0..TILES * TILES).collect(), |index| {
             let mut tile = ShadowTile::new(index);
             bodies.draw_shadow(frame, &mut tile, body_bins.of(index));
             for (batch, bins) in batches.iter().zip(&bins) {
                 batch.draw_shadow(frame, &self.clumps, &mut tile, bins.of(index));
+            }
+            for (strips, bins) in moment.strips().zip(&blade_bins) {
+                strips.draw_shadow(frame, &mut tile, bins.of(index));
             }
             tile
         });
@@ -186,6 +231,7 @@ impl Studio {
             ground: Ground::new(sight, &self.relief, world.model.terrain.edits(), moment.frame.corner, moment.camera, tiles),
             bodies: moment.bodies.bins(sight, tiles),
             batches: moment.batches.iter().map(|batch| batch.bins(sight, tiles)).collect(),
+            strips: moment.strips().map(|strips| strips.bins(sight, tiles)).collect(),
         }
     }
 
@@ -197,6 +243,9 @@ impl Studio {
             moment.bodies.draw(sight, &mut tile, layout.bodies.of(index));
             for (batch, bins) in moment.batches.iter().zip(&layout.batches) {
                 batch.draw(sight, &self.clumps, &mut tile, bins.of(index));
+            }
+            for (strips, bins) in moment.strips().zip(&layout.strips) {
+                strips.draw(sight, &mut tile, bins.of(index));
             }
             layout.ground.draw(sight, &self.turf, &moment.growth, &mut tile, index);
             sky::draw(sight, &mut tile);
@@ -227,10 +276,21 @@ pub(crate) struct Moment {
     /// What each of the batches is.
     pub(crate) plans: Vec<Drawn>,
     pub(crate) batches: Vec<Batch>,
+    /// Stands of blades: which, and what was decided of them.
+    pub(crate) blade_plans: Vec<(usize, BladePlan)>,
+    /// Their blades.
+    pub(crate) strips: Vec<[Strips; LEVELS]>,
     pub(crate) draws: Vec<BodyDraw>,
     /// Meshes of the bodies that play a clip.
     pub(crate) moved: Vec<Option<Mesh>>,
     pub(crate) bodies: Bodies,
+}
+
+impl Moment {
+    /// All strips, near to far.
+    pub(crate) fn strips(&self) -> impl Iterator<Item = &Strips> {
+        (0..LEVELS).flat_map(|level| self.strips.iter().map(move |strips| &strips[level]))
+    }
 }
 
 /// What lies in which tile of a picture.
@@ -240,6 +300,7 @@ pub(crate) struct Layout {
     pub(crate) ground: Ground,
     pub(crate) bodies: Bins,
     pub(crate) batches: Vec<Bins>,
+    pub(crate) strips: Vec<Bins>,
 }
 
 impl Layout {

@@ -1,7 +1,7 @@
 //! A world, drawn: prepares the visible plants and hands everything to the renderer.
 
 use sward::picture::aov::Aov;
-use sward::picture::plan::{BatchPlan, Seen, plan};
+use sward::picture::plan::{BatchPlan, Seen, plan, share};
 use sward::picture::subject::{self, Frame};
 use sward::scene::Precision;
 use sward::shading::look::Look;
@@ -176,7 +176,7 @@ impl Studio {
     fn prepare_plants(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt, seen: &Seen) -> Vec<[BatchPlan; 2]> {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         self.prepare.follow(gpu, world);
-        let share = world.scene.budget.visible_plants / (world.model.stands.len().max(1) as u32);
+        let share = share(world);
         let mut filled = Vec::new();
         for (index, stand) in world.model.stands.iter().enumerate() {
             let look = &self.looks[index];

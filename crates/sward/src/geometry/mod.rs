@@ -3,6 +3,7 @@
 //! To add a representation: a file pair `x.rs` + `x.wgsl`, a variant of [`crate::scene::Representation`] and an arm in the renderer.
 
 pub mod billboard;
+pub mod blade;
 pub mod card;
 pub mod figure;
 pub mod mesh;

@@ -88,7 +88,7 @@ impl Identity {
 }
 
 /// The number of the plant in cell `index` (j · cells + i); `identity` as of [`Identity::of_stand`].
-pub(super) fn number([cell_bits, patch_bits, stand, _]: [u32; 4], patch: PatchKey, index: u32) -> u32 {
+pub fn number([cell_bits, patch_bits, stand, _]: [u32; 4], patch: PatchKey, index: u32) -> u32 {
     let mask = (1_u32 << patch_bits) - 1;
     let [x, z] = patch.map(|along| along as u32 & mask);
     index | x << cell_bits | z << (cell_bits + patch_bits) | stand << (cell_bits + 2 * patch_bits)

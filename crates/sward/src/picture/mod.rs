@@ -5,6 +5,8 @@
 //! Beside a picture there may be outputs of each pixel, [`aov`], for which [`past`] remembers the picture before.
 
 pub mod aov;
+pub mod blade_plan;
+pub mod blades;
 pub mod frame;
 pub mod identity;
 pub mod past;

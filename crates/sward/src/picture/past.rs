@@ -6,9 +6,10 @@
 //! ground is, and all that grow now grew then.
 
 use super::aov::AovUniform;
+use super::blade_plan::{self, BladePlan};
 use super::frame::BodyDraw;
 use super::identity::Identity;
-use super::plan::{BatchPlan, Seen, plan, plan_then};
+use super::plan::{BatchPlan, Seen, plan, plan_then, share};
 use super::prepare::PrepareUniform;
 use super::subject::{self, Frame};
 use crate::geometry::mesh::Mesh;
@@ -41,7 +42,7 @@ impl Past {
         let (view, looks) = (world.camera_before(behind), subject::looks(world));
         let (_, origin) = Frame::of(world, &view, behind);
         let seen = Seen { view: &view, origin, fullness: 1.0, behind };
-        let share = world.scene.budget.visible_plants / (looks.len().max(1) as u32);
+        let share = share(world);
         let fullness = looks.iter().enumerate().map(|(index, look)| plan(world, index, &seen, look, share).1).collect();
         Self { world: world.clone(), behind, view, fullness, looks, identity: Identity::of(world) }
     }
@@ -54,6 +55,17 @@ impl Past {
     /// The plants of a batch of the present picture, whose frame begins at the patch `origin`, as they were then.
     pub fn plan(&self, index: usize, origin: PatchKey, now: &BatchPlan) -> BatchPlan {
         plan_then(&self.world, index, origin, now)
+    }
+
+    /// The blades of the present picture as they were then.
+    pub fn blades(&self, index: usize, origin: PatchKey, now: &BladePlan) -> Option<BladePlan> {
+        let seen = Seen { view: &self.view, origin, fullness: 1.0, behind: self.behind };
+        blade_plan::plan_then(&self.world, index, &seen, &self.looks[index], now)
+    }
+
+    /// Numbers of a stand's plants, for [`super::identity::number`].
+    pub fn identity(&self, index: usize) -> [u32; 4] {
+        self.identity.of_stand(index)
     }
 
     /// What those plants are prepared with, on the `ground` of the present.

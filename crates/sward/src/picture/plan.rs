@@ -66,13 +66,13 @@ pub struct Seen<'a> {
 }
 
 /// A patch in sight.
-struct Sighted {
-    patch: PatchKey,
+pub(super) struct Sighted {
+    pub(super) patch: PatchKey,
     /// Distance from the eye to the nearest point of it on the ground, m.
-    distance: f64,
+    pub(super) distance: f64,
 }
 
-fn sighted(world: &World, view: &View, gone: f64) -> Vec<Sighted> {
+pub(super) fn sighted(world: &World, view: &View, gone: f64) -> Vec<Sighted> {
     let side = world.model.patch_side;
     let home = view.focus().map(|metres| (metres / side).floor() as i32);
     let reach = (gone / side).ceil() as i32 + 1;
@@ -126,10 +126,19 @@ fn weights(state: &StandState, patch: PatchKey) -> [f32; 4] {
     })
 }
 
+/// Plants that each stand of billboards may show.
+pub fn share(world: &World) -> u32 {
+    let billboards = world.model.stands.iter().filter(|stand| stand.species.blade.is_none()).count();
+    world.scene.budget.visible_plants / (billboards.max(1) as u32)
+}
+
 /// Decides what of a stand is drawn: plants of `segments`, and beyond `plain_distance` plain ones. `share` of the plant budget is this
-/// stand's.
+/// stand's. Nothing of a stand of blades.
 pub fn plan(world: &World, index: usize, seen: &Seen, look: &Look, share: u32) -> ([BatchPlan; 2], f64) {
     let (stand, state) = (&world.model.stands[index], &world.state.stands[index]);
+    if stand.species.blade.is_some() {
+        return Default::default();
+    }
     let list = sighted(world, seen.view, f64::from(look.fade[1]));
     let wanted = |fullness: f64| list.iter().map(|patch| u64::from(places(patch.distance, fullness, stand))).sum::<u64>();
     let mut fullness = 1.0;
@@ -161,7 +170,7 @@ pub fn plan_then(then: &World, index: usize, origin: PatchKey, now: &BatchPlan) 
     BatchPlan { draws: draws.collect(), plants: now.plants }
 }
 
-fn draw(world: &World, state: &StandState, patch: PatchKey, origin: PatchKey, first: u32, count: u32) -> PatchDraw {
+pub(super) fn draw(world: &World, state: &StandState, patch: PatchKey, origin: PatchKey, first: u32, count: u32) -> PatchDraw {
     let side = world.model.patch_side;
     let around = |pick: fn(&crate::state::Awake) -> u32| {
         let mut found = [NONE; 9];

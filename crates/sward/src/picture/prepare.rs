@@ -74,7 +74,7 @@ impl PrepareUniform {
                 (view.eye[2] - f64::from(origin[1]) * side) as f32,
                 0.0,
             ],
-            segments: billboard.segments,
+            segments: stand.species.segments(),
             drawn: if plain { 1 } else { billboard.segments },
             bits: bits(stand.cells),
             layer: first_layer(look.kind),
@@ -109,7 +109,7 @@ pub struct Preparing<'a> {
 }
 
 /// Cell at a place of the drawing order: bit-reversed Morton, so that any first part of the order is spread evenly.
-fn ordered_cell(rank: u32, bits: u32) -> [u32; 2] {
+pub(super) fn ordered_cell(rank: u32, bits: u32) -> [u32; 2] {
     let mut cell = [0; 2];
     for b in 0..bits {
         let high = bits - 1 - b;
@@ -182,10 +182,38 @@ impl Preparing<'_> {
         rest.lerp(bend, low + (high - low) * z)
     }
 
+    /// Where the gusts are over a patch.
+    pub fn phases(&self, draw: &PatchDraw) -> Phases {
+        self.wind.patch_phases(draw.patch, self.intervals)
+    }
+
+    /// The growth map of a patch, if it needs one.
+    pub fn growth(&self, draw: &PatchDraw) -> Option<Box<[u8]>> {
+        self.stand.growth_map(self.terrain, draw.patch)
+    }
+
+    /// Bends of all segments at a place of a patch, at the moment of the picture, lowest first.
+    pub(super) fn bends(&self, draw: &PatchDraw, phases: &Phases, root: [f32; 2], bends: &mut [[f32; 2]]) {
+        let prepare = &self.uniform;
+        let rest = self.rest_at_plant(phases, root);
+        // Where no upper segments are kept, all show what the lowest does.
+        let gains = if draw.lags[4] == NONE { [0.0, 0.0, 1.0, 1.0] } else { prepare.lag };
+        let mut below = self.plant_bend(draw, root, 0, rest);
+        let mut shown = self.plant_bend(draw, root, SHOWN, rest);
+        for (at, bend) in bends.iter_mut().enumerate() {
+            if at > 0 {
+                let here = self.plant_bend(draw, root, at, rest);
+                let moved = prepare.behind > 0.0;
+                shown = if moved { earlier(here.into(), [below.into(), shown.into()], gains, prepare.behind).into() } else { here };
+                below = here;
+            }
+            *bend = shown.into();
+        }
+    }
+
     /// Solves the plants of one patch: `draw.count` plants, and `drawn + 1` joints of each. Places without a plant get height 0.
     pub fn prepare_patch(&self, draw: &PatchDraw, plants: &mut [Plant], joints: &mut [[f32; 4]]) {
-        let phases = self.wind.patch_phases(draw.patch, self.intervals);
-        let growth = self.stand.growth_map(self.terrain, draw.patch);
+        let (phases, growth) = (self.phases(draw), self.growth(draw));
         let per_plant = self.uniform.drawn as usize + 1;
         for (rank, (plant, joints)) in plants.iter_mut().zip(joints.chunks_exact_mut(per_plant)).enumerate() {
             *plant = self.prepare_plant(draw, &phases, growth.as_deref(), rank as u32, joints).unwrap_or_default();
@@ -232,25 +260,17 @@ impl Preparing<'_> {
     /// Joints of a plant that stands at `root` (x, z) of its patch on `ground`, bent segment by segment.
     fn spine(&self, draw: &PatchDraw, phases: &Phases, root: [f32; 2], [ground, height, straight]: [f32; 3], joints: &mut [[f32; 4]]) {
         let prepare = &self.uniform;
-        let rest = self.rest_at_plant(phases, root);
+        let mut bends = [[0.0; 2]; 8];
         let floor = |at: Vec3| self.terrain.height(draw.anchor, [at.x, at.z]) + CLEARANCE;
         let (segments, drawn) = (prepare.segments as usize, prepare.drawn as usize);
         let length = height / prepare.segments as f32;
         let start = Vec3::new(root[0], ground, root[1]);
         let mut spine = [start; 9];
         let mut local = start;
-        // Where no upper segments are kept, all show what the lowest does.
-        let gains = if draw.lags[4] == NONE { [0.0, 0.0, 1.0, 1.0] } else { prepare.lag };
-        let mut below = self.plant_bend(draw, root, 0, rest);
-        let mut shown = self.plant_bend(draw, root, SHOWN, rest);
-        for at in 0..segments.min(8) {
-            if at > 0 {
-                let here = self.plant_bend(draw, root, at, rest);
-                let moved = prepare.behind > 0.0;
-                shown = if moved { earlier(here.into(), [below.into(), shown.into()], gains, prepare.behind).into() } else { here };
-                below = here;
-            }
-            local += Vec3::from(segment(shown.into(), length));
+        let bends = &mut bends[..segments.min(8)];
+        self.bends(draw, phases, root, bends);
+        for (at, bend) in bends.iter().enumerate() {
+            local += Vec3::from(segment(*bend, length));
             local.y = math::upper(local.y, floor(local));
             spine[at + 1] = local;
         }

@@ -173,9 +173,13 @@ fn look_of(species: &Species, stand: &StandModel) -> Look {
         Species::Tussock => Kind::Tussock,
     };
     let billboard = &stand.species.billboard;
+    let (root, tip, dryness) = match &stand.species.blade {
+        Some(blade) => (blade.colour_root, blade.colour_tip, blade.dryness),
+        None => (billboard.colour_root, billboard.colour_tip, billboard.dryness),
+    };
     // Short plants are lost in the turf sooner.
     let gone = (275.0 * stand.species.height[1]).clamp(35.0, 110.0);
-    Look { fade: [0.6 * gone, gone], root: billboard.colour_root, tip: billboard.colour_tip, dryness: billboard.dryness, ..Look::of(kind) }
+    Look { fade: [0.6 * gone, gone], root, tip, dryness, ..Look::of(kind) }
 }
 
 fn part_mesh(part: &Part) -> Option<Mesh> {

@@ -13,6 +13,8 @@ parameters! {
         lag_distance: f32 = 48.0, "m" in 0.0..=1000.0;
         /// Plants drawn at once.
         visible_plants: u32 = 262144, "plants" in 1024..=1048576;
+        /// Blades drawn at once: what the representation `Blade` solves and keeps.
+        visible_blades: u32 = 262144, "blades" in 1024..=1500000;
         /// Steps run at most for one call, to catch up with the clock.
         catch_up: u32 = 4, "steps" in 1..=60;
         /// What plants show beyond the active patches.

@@ -24,6 +24,7 @@
 //! Lengths are metres, times seconds, angles radians; +y is up and ground positions are (x, z).
 
 mod billboard;
+mod blade;
 mod budget;
 mod camera;
 mod continuum;
@@ -54,6 +55,7 @@ use ron::extensions::Extensions;
 use ron::ser::PrettyConfig;
 
 pub use billboard::{Billboard, BillboardOverrides};
+pub use blade::{Blade, BladeOverrides};
 pub use budget::{Beyond, Budget, Precision};
 pub use camera::{Camera, CameraKey};
 pub use continuum::{Continuum, ContinuumOverrides, Lag};

@@ -1,6 +1,7 @@
 //! What each species is by itself, and what a stand makes of it.
 
 use super::billboard::Billboard;
+use super::blade::Blade;
 use super::continuum::{Continuum, Lag};
 use super::error::{Problem, SceneError, Trail};
 use super::stand::{Representation, Response, Species, Stand};
@@ -14,8 +15,18 @@ pub struct SpeciesModel {
     pub height: [f32; 2],
     /// How the plants move.
     pub continuum: Continuum,
-    /// How the plants look.
+    /// How the plants look as billboards.
     pub billboard: Billboard,
+    /// How they look as blades, where that is what they are drawn as.
+    pub blade: Option<Blade>,
+}
+
+impl SpeciesModel {
+    /// Segments from root to tip that move.
+    #[must_use]
+    pub fn segments(&self) -> u32 {
+        self.blade.as_ref().map_or(self.billboard.segments, |blade| blade.segments)
+    }
 }
 
 impl Stand {
@@ -39,7 +50,11 @@ impl Stand {
             },
             billboard: match &self.representation {
                 Some(Representation::Billboard(overrides)) => billboard.with(overrides),
-                None => billboard,
+                _ => billboard,
+            },
+            blade: match &self.representation {
+                Some(Representation::Blade(overrides)) => Some(self.species.blade().with(overrides)),
+                _ => None,
             },
         })
     }
@@ -70,6 +85,20 @@ impl Species {
         };
         let (c_omega, kappa_omega, lag) = (c0, kappa, Lag::Cascade);
         Continuum { c0, mu, c_omega, lambda_theta, lambda_omega, kappa, kappa_omega, wind, lag, gamma_top, gamma_recover }
+    }
+
+    /// How the species looks as blades: the billboards' colours, a little lighter, since light and shade are not painted on.
+    #[must_use]
+    pub fn blade(&self) -> Blade {
+        let Billboard { segments, colour_root, colour_tip, dryness, .. } = self.billboard();
+        let (blades, tuft, width, lean, curl) = match self {
+            Self::Lawn => (12, 0.0, 0.003, 0.45, 0.8),
+            Self::Meadow => (8, 0.35, 0.007, 0.35, 1.0),
+            Self::Reed => (6, 0.25, 0.018, 0.16, 0.9),
+            Self::Tussock => (20, 0.75, 0.004, 0.65, 0.9),
+        };
+        let segments = segments.max(2);
+        Blade { segments, blades, tuft, width, lean, curl, colour_root, colour_tip, dryness, ..Blade::default() }
     }
 
     /// How the species looks.

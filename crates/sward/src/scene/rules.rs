@@ -3,7 +3,7 @@
 use super::error::{Problem, Trail};
 use super::explain::suggest;
 use super::locate::locate;
-use super::{Area, Camera, Edit, FORMAT_VERSION, Flow, Interactor, Path, Scene, Shape, Stand, Terrain, WindSource};
+use super::{Area, Blade, Camera, Edit, FORMAT_VERSION, Flow, Interactor, Path, Scene, Shape, Stand, Terrain, WindSource};
 
 type Checked = Result<(), Problem>;
 
@@ -107,9 +107,33 @@ fn stand(stand: &Stand, trail: &Trail) -> Checked {
         let message = format!("`height` runs from {low} down to {high}");
         return Err(Problem::at(trail.clone().key("height"), message).help(format!("({high}, {low})")));
     }
+    if let Some(blade) = &model.blade {
+        blades(blade, &trail.clone().key("representation"))?;
+    }
     if let Some([low, high]) = stand.slope.filter(|[low, high]| low > high) {
         let message = format!("`slope` runs from {low} down to {high}");
         return Err(Problem::at(trail.clone().key("slope"), message).help(format!("({high}, {low})")));
+    }
+    Ok(())
+}
+
+/// Numbers of pieces fall with distance, and distances rise.
+fn blades(blade: &Blade, trail: &Trail) -> Checked {
+    let [near, middle, far] = blade.pieces;
+    if near < middle || middle < far {
+        let mut falling = blade.pieces;
+        falling.sort_by(|a, b| b.cmp(a));
+        let message = format!("`pieces` rise with distance: {near}, {middle}, {far}");
+        return Err(Problem::at(trail.clone().key("pieces"), message).help(format!("{falling:?}").replace('[', "(").replace(']', ")")));
+    }
+    let [second, third] = blade.piece_distances;
+    if second > third {
+        let message = format!("`piece_distances` run from {second} down to {third}");
+        return Err(Problem::at(trail.clone().key("piece_distances"), message).help(format!("({third}, {second})")));
+    }
+    if blade.thinning.iter().all(|term| *term == 0.0) {
+        let message = "all of `thinning` is 0";
+        return Err(Problem::at(trail.clone().key("thinning"), message).help("(0.25, 0.012, 0.0006)"));
     }
     Ok(())
 }

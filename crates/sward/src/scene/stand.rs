@@ -1,6 +1,7 @@
 //! Stands: plants of one species that share one response and one representation.
 
 use super::billboard::BillboardOverrides;
+use super::blade::BladeOverrides;
 use super::continuum::ContinuumOverrides;
 use super::parameters::{choices, parameters};
 
@@ -31,6 +32,8 @@ choices! {
     pub enum Representation {
         /// Crossed cards with a picture of a clump.
         Billboard(BillboardOverrides),
+        /// Blades: strips of triangles, every one by itself.
+        Blade(BladeOverrides),
     }
 }
 

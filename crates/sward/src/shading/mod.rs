@@ -3,6 +3,7 @@
 //! The functions are pure: no textures, no bindings; each `x.wgsl` has its Rust twin beside it, `x.rs`. The WGSL texts are joined by plain concatenation, in the order of
 //! [`WGSL`], before a host's own entry points.
 
+pub mod blade;
 pub mod body;
 pub mod clump;
 mod clump_levels;
