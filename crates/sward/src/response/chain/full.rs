@@ -6,7 +6,7 @@
 //!
 //! Damping is c_i = β k_i at each joint, on the difference of the two segments' rates, with the β that gives the first mode its ζ.
 
-use super::blade::{Blade, MOST_SEGMENTS, calibrate};
+use super::blade::{Blade, DragLaw, MOST_SEGMENTS, calibrate};
 use super::error::ChainError;
 use super::frame::Frame;
 use super::modes::{Square, cholesky, first_mode, inertia, solved, weight_lever};
@@ -35,20 +35,24 @@ pub struct FullChain {
     fastest: f64,
 }
 
+#[inline(always)]
 fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+#[inline(always)]
 fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// a + s b.
+#[inline(always)]
 fn plus(a: Vector, s: f64, b: Vector) -> Vector {
     [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
 }
 
 /// `M x` for each axis.
+#[inline(always)]
 fn spread(m: &Square, n: usize, x: &Vectors) -> Vectors {
     let mut y = [[0.0; 3]; MOST_SEGMENTS];
     for i in 0..n {
@@ -57,6 +61,18 @@ fn spread(m: &Square, n: usize, x: &Vectors) -> Vectors {
         }
     }
     y
+}
+
+/// The cube root of x ≥ 0 from that of [`math`], two Newton steps on; 0 where x is too small for it.
+fn cube_root(x: f64) -> f64 {
+    let mut root = f64::from(math::cbrt(x as f32));
+    if root <= 0.0 {
+        return 0.0;
+    }
+    for _ in 0..2 {
+        root -= (root * root * root - x) / (3.0 * root * root);
+    }
+    root
 }
 
 /// Angle between two unit vectors, rad, and angle over sine.
@@ -103,11 +119,11 @@ impl FullChain {
 
     /// Speed to the power p − 1.
     fn raised(&self, speed: f64) -> f64 {
-        match self.blade.law.thirds() {
-            0 => 1.0,
-            3 => speed,
-            thirds if speed > 1e-100 => math::exp_f64(f64::from(thirds) / 3.0 * math::ln_f64(speed)),
-            _ => 0.0,
+        match self.blade.law {
+            DragLaw::Linear => 1.0,
+            DragLaw::FourThirds => cube_root(speed),
+            DragLaw::FiveThirds => cube_root(speed) * cube_root(speed),
+            DragLaw::Square => speed,
         }
     }
 
@@ -152,7 +168,8 @@ impl FullChain {
         for i in 0..n {
             // |d| = 1 for ever means d·d̈ = −|ḋ|².
             missing[i] = -dot(rates[i], rates[i]) - dot(d[i], free[i]);
-            for j in 0..n {
+            for j in 0..=i {
+                // The lower triangle is all that is read.
                 gram[i][j] = self.inverse[i][j] * dot(d[i], d[j]);
             }
         }

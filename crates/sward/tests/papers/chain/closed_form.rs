@@ -40,7 +40,7 @@ fn worst(ratios: &[f64], form: impl Fn([f64; 2], f64, f64, f64) -> [f64; 2]) -> 
             }
         }
     }
-    assert!(count > 100);
+    assert!(count >= 72);
     worst
 }
 

@@ -13,7 +13,9 @@ fn size(v: [f32; 2]) -> f32 {
 
 /// Whether every joint is within the stops.
 fn within(co: &ChainCoefficients, state: &ChainState) -> bool {
-    state.joints[..co.segments as usize].iter().all(|[x, y, wx, wy]| size([*x, *y]) <= BEND_LIMIT * 1.00001 && size([*wx, *wy]) <= RATE_LIMIT * 1.00001)
+    state.joints[..co.segments as usize]
+        .iter()
+        .all(|[x, y, wx, wy]| size([*x, *y]) <= BEND_LIMIT * 1.00001 && size([*wx, *wy]) <= RATE_LIMIT * 1.00001)
 }
 
 /// A blade anywhere in the ranges, most numbers spread over their magnitudes.

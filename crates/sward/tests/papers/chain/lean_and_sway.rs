@@ -1,7 +1,7 @@
 //! The simplified chain against the full one: lean, frequency, a gusty minute (methods §7).
 
-use super::{STEP, as_printed, coefficients, distance, gusty, settled, species, spread, tip};
-use sward::response::chain::{Blade, ChainCoefficients, ChainState, FullChain, UPRIGHT, first_mode, joints, step};
+use super::{STEP, as_printed, blade, coefficients, distance, gusty, settled, species, spread, tip};
+use sward::response::chain::{Blade, ChainCoefficients, ChainState, DragLaw, FullChain, UPRIGHT, first_mode, joints, step};
 
 /// Tip of the full chain at rest in wind along x, m.
 fn full_lean(blade: &Blade, wind: f64) -> f64 {
@@ -23,9 +23,28 @@ fn it_leans_as_the_full_chain() {
             let full = full_lean(&blade, f64::from(wind));
             let found = lean(&coefficients(&blade), wind) / full - 1.0;
             let printed = lean(&as_printed(&blade), wind) / full - 1.0;
-            println!("{name}: leans {:.2} cm in {wind} m/s, simplified {:+.1} %, as printed {:+.0} %", full * 100.0, found * 100.0, printed * 100.0);
+            println!(
+                "{name}: leans {:.2} cm in {wind} m/s, simplified {:+.1} %, as printed {:+.0} %",
+                full * 100.0,
+                found * 100.0,
+                printed * 100.0
+            );
             assert!(found.abs() < 0.10, "{name}: {found}");
             assert!(printed.abs() > 0.10, "{name}: the chain as printed must fail: {printed}");
+        }
+    }
+}
+
+#[test]
+fn drag_follows_its_power() {
+    let laws = [(DragLaw::Linear, 1.0), (DragLaw::FourThirds, 4.0 / 3.0), (DragLaw::FiveThirds, 5.0 / 3.0), (DragLaw::Square, 2.0)];
+    for (law, power) in laws {
+        // So stiff that the blade hardly leans: then the lean is l f/k.
+        let blade = Blade { law, ..blade(1, 0.1, 1e-6, [10.0, 10.0], 1.0, 1e-2) };
+        let expected = |power: f64| 0.2 * 0.1 * 1e-2 * 3f64.powf(power) / 10.0;
+        for found in [lean(&coefficients(&blade), 3.0), full_lean(&blade, 3.0)] {
+            assert!((found / expected(power) - 1.0).abs() < 1e-3, "{law:?}: {found:.3e}, not {:.3e}", expected(power));
+            assert!((found / expected(power + 0.1) - 1.0).abs() > 1e-2, "{law:?}: another power must fail");
         }
     }
 }
@@ -96,7 +115,12 @@ fn a_gusty_minute_goes_as_for_the_full_chain() {
         let tips = full_tips(&blade, &wind);
         let (rms, p95) = spread(errors(&coefficients(&blade), &blade, &wind, &tips));
         let (printed, _) = spread(errors(&as_printed(&blade), &blade, &wind, &tips));
-        println!("{name}: tip off by rms {:.2} %, p95 {:.2} % of the length; as printed rms {:.1} %", rms * 100.0, p95 * 100.0, printed * 100.0);
+        println!(
+            "{name}: tip off by rms {:.2} %, p95 {:.2} % of the length; as printed rms {:.1} %",
+            rms * 100.0,
+            p95 * 100.0,
+            printed * 100.0
+        );
         assert!(rms < 0.08, "{name}: {rms}");
         assert!(printed > 0.08, "{name}: the chain as printed must fail: {printed}");
     }

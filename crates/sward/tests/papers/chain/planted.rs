@@ -39,7 +39,12 @@ fn a_planted_blade_is_where_its_own_chain_would_be() {
             }
         }
         let ((rms, p95), (wrong, _)) = (spread(right), spread(raw));
-        println!("{name}: tip off by rms {:.2} %, p95 {:.2} % of the length; moments not turned rms {:.1} %", rms * 100.0, p95 * 100.0, wrong * 100.0);
+        println!(
+            "{name}: tip off by rms {:.2} %, p95 {:.2} % of the length; moments not turned rms {:.1} %",
+            rms * 100.0,
+            p95 * 100.0,
+            wrong * 100.0
+        );
         assert!(rms < 0.05, "{name}: {rms}");
         assert!(wrong > 0.05 && wrong > 3.0 * rms, "{name}: moments not turned must be far worse: {wrong}");
     }
@@ -66,7 +71,13 @@ fn planted_blades_of_both_models_stay_near_the_full_chain() {
             }
         }
         let ((a, a95), (b, b95)) = (spread(simplified), spread(shown_off));
-        println!("{name}: planted blades, simplified rms {:.2} p95 {:.2} %, virtual rms {:.2} p95 {:.2} %", a * 1e2, a95 * 1e2, b * 1e2, b95 * 1e2);
+        println!(
+            "{name}: planted blades, simplified rms {:.2} p95 {:.2} %, virtual rms {:.2} p95 {:.2} %",
+            a * 1e2,
+            a95 * 1e2,
+            b * 1e2,
+            b95 * 1e2
+        );
         assert!(a < 0.08 && b < 0.08, "{name}: {a} {b}");
     }
 }
