@@ -6,7 +6,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::error::ChainError;
-use super::modes::first_mode;
+use super::modes::{Mode, first_mode, lever};
 
 /// Most segments of a blade.
 pub const MOST_SEGMENTS: usize = 8;
@@ -106,8 +106,9 @@ pub struct JointCoefficients {
     pub inertia: f32,
     /// ĉ, N·m·s/rad.
     pub damping: f32,
-    /// Keeps joints 16 bytes apart; 0.
-    pub unused: f32,
+    /// Mean speed of all segments above (as their drag turns this joint) over that of its own segment, in the first mode, 1 or more:
+    /// drag brakes with them all.
+    pub reach: f32,
 }
 
 /// Numbers of a blade that a step reads. The same bytes are a uniform of the WGSL twin.
@@ -130,6 +131,14 @@ pub struct ChainCoefficients {
     pub joints: [JointCoefficients; MOST_SEGMENTS],
 }
 
+/// How much faster than segment `i` all above it move in the first mode, weighted by the levers of their drag about joint `i`.
+fn reach(blade: &Blade, mode: &Mode, i: usize) -> f64 {
+    let n = blade.segments as usize;
+    let speed = |k: usize| -> f64 { (0..=k).map(|j| lever(blade, k, j) * mode.shape[j]).sum() };
+    let above = (n - i) as f64;
+    (i..n).map(|k| (2 * (k - i) + 1) as f64 * speed(k)).sum::<f64>() / (above * above * speed(i))
+}
+
 /// Numbers of the simplified chain of a blade (methods §3.1): `k̂_i = k_i/N_i²`, `w_i = 2πf₁(1 + 0.2(i−1))`,
 /// `Ĵ_i = max(k̂_i − m g l, 0.05 k̂_i)/w_i²`, `ĉ_i = 2ζ w_i Ĵ_i`.
 pub fn calibrate(blade: &Blade) -> Result<ChainCoefficients, ChainError> {
@@ -144,8 +153,8 @@ pub fn calibrate(blade: &Blade) -> Result<ChainCoefficients, ChainError> {
             return Err(ChainError::CannotStand { joint: i + 1, segments: n, share: 100.0 * weight_moment / held, needed });
         }
     }
-    let own = first_mode(blade).ok_or(ChainError::Buckles)?.frequency;
-    let first = std::f64::consts::TAU * blade.frequency.unwrap_or(own);
+    let mode = first_mode(blade).ok_or(ChainError::Buckles)?;
+    let first = std::f64::consts::TAU * blade.frequency.unwrap_or(mode.frequency);
     let mut joints = [JointCoefficients::default(); MOST_SEGMENTS];
     for (i, joint) in joints[..n].iter_mut().enumerate() {
         let above = (n - i) as f64;
@@ -153,7 +162,8 @@ pub fn calibrate(blade: &Blade) -> Result<ChainCoefficients, ChainError> {
         let omega = first * (1.0 + QUICKER * i as f64);
         let inertia = (stiffness - weight_moment) / (omega * omega);
         let damping = 2.0 * blade.damping_ratio * omega * inertia;
-        *joint = JointCoefficients { stiffness: stiffness as f32, inertia: inertia as f32, damping: damping as f32, unused: 0.0 };
+        let reach = reach(blade, &mode, i) as f32;
+        *joint = JointCoefficients { stiffness: stiffness as f32, inertia: inertia as f32, damping: damping as f32, reach };
     }
     Ok(ChainCoefficients {
         segments: blade.segments,

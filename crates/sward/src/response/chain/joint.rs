@@ -71,7 +71,7 @@ struct Load {
 
 /// Drag and weight on a segment in frame `turned`, its centre in air that passes with `air` \[m/s\].
 #[inline(always)]
-fn load(co: &ChainCoefficients, turned: &Frame, air: [f32; 3]) -> Load {
+fn load(co: &ChainCoefficients, i: usize, turned: &Frame, air: [f32; 3]) -> Load {
     let speed = (air[0] * air[0] + air[1] * air[1] + air[2] * air[2]).sqrt();
     let rise = co.drag * raised(speed, co.drag_thirds);
     let force = to_local(turned, [rise * air[0], rise * air[1] - co.weight, rise * air[2]]);
@@ -79,7 +79,7 @@ fn load(co: &ChainCoefficients, turned: &Frame, air: [f32; 3]) -> Load {
     // Weight with its own sign, so that free swaying is exact; drag at its largest, so that no wind throws a segment past its lee.
     let stiffness = l * (rise * speed - co.weight * turned[2][1]);
     let power = 1.0 + co.drag_thirds as f32 * (1.0 / 3.0);
-    Load { moment: [-l * force[1], l * force[0]], stiffness, damping: l * l * rise * power }
+    Load { moment: [-l * force[1], l * force[0]], stiffness, damping: l * l * rise * power * co.joints[i].reach }
 }
 
 /// ψ and ω of a joint after `dt`, its load held as it is.
@@ -130,9 +130,10 @@ pub fn step(co: &ChainCoefficients, base: &Frame, wind: [f32; 3], dt: f32, state
         let below = to_local(&turn, spin);
         spin = [below[0] + wx, below[1] + wy, below[2]];
         let centre = to_world(&frame, [spin[1] * co.half_length, -spin[0] * co.half_length, 0.0]);
-        let air = [0, 1, 2].map(|axis| wind[axis] - end[axis] - centre[axis]);
+        let reach = co.joints[i].reach;
+        let air = [0, 1, 2].map(|axis| wind[axis] - reach * (end[axis] + centre[axis]));
         end = [0, 1, 2].map(|axis| end[axis] + 2.0 * centre[axis]);
-        next.joints[i] = swung(co, i, &load(co, &frame, air), dt, state.joints[i]);
+        next.joints[i] = swung(co, i, &load(co, i, &frame, air), dt, state.joints[i]);
     }
     next
 }

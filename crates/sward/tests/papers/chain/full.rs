@@ -30,7 +30,7 @@ fn energy_stays_without_damping_and_drag() {
         blade.damping_ratio = 0.0;
         let free = energy_drift(&blade);
         println!("{name}: {free:.1e} of the energy comes or goes, damped {damped:.1e}");
-        assert!(free < 1e-5, "{name}: {free:.1e}");
+        assert!(free < 1e-4, "{name}: {free:.1e}");
         assert!(damped > 0.1, "{name}: damping must show: {damped:.1e}");
     }
 }

@@ -40,6 +40,7 @@ fn as_printed(blade: &Blade) -> ChainCoefficients {
     for (i, joint) in co.joints[..blade.segments as usize].iter_mut().enumerate() {
         joint.stiffness = blade.stiffness(i) as f32;
         joint.inertia = inertia as f32;
+        joint.reach = 1.0;
         joint.damping = (2.0 * blade.damping_ratio * (blade.stiffness(i) * inertia).sqrt()) as f32;
     }
     co

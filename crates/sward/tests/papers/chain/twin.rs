@@ -45,7 +45,7 @@ fn the_chains_twins_are_valid_and_lay_out_structs_alike() {
         offset_of!(JointCoefficients, stiffness),
         offset_of!(JointCoefficients, inertia),
         offset_of!(JointCoefficients, damping),
-        offset_of!(JointCoefficients, unused),
+        offset_of!(JointCoefficients, reach),
         size_of::<JointCoefficients>(),
     ];
     assert_eq!(offsets(&module, "ChainJoint"), joint);
