@@ -57,7 +57,7 @@ pub struct Blade {
     pub drag: f64,
     /// Power p of the drag law.
     pub law: DragLaw,
-    /// First frequency f₁, Hz, 0.01 to 1000; worked out from the rest if not given.
+    /// First frequency f₁ of the simplified chain, Hz, 0.01 to 1000; the full chain's if not given.
     pub frequency: Option<f64>,
 }
 
@@ -140,7 +140,7 @@ fn reach(blade: &Blade, mode: &Mode, i: usize) -> f64 {
 }
 
 /// Numbers of the simplified chain of a blade (methods §3.1): `k̂_i = k_i/N_i²`, `w_i = 2πf₁(1 + 0.2(i−1))`,
-/// `Ĵ_i = max(k̂_i − m g l, 0.05 k̂_i)/w_i²`, `ĉ_i = 2ζ w_i Ĵ_i`.
+/// `Ĵ_i = (k̂_i − m g l)/w_i²`, `ĉ_i = 2ζ w_i Ĵ_i`; and [`JointCoefficients::reach`].
 pub fn calibrate(blade: &Blade) -> Result<ChainCoefficients, ChainError> {
     blade.check()?;
     let n = blade.segments as usize;

@@ -4,7 +4,7 @@ struct ChainJoint {
     stiffness: f32,
     inertia: f32,
     damping: f32,
-    unused: f32,
+    reach: f32,
 }
 
 struct ChainCoefficients {
@@ -67,14 +67,15 @@ fn chain_raised(speed: f32, thirds: u32) -> f32 {
     return select(high, low, thirds < 2u);
 }
 
-fn chain_load(co: ChainCoefficients, frame: mat3x3<f32>, air: vec3<f32>) -> ChainLoad {
+fn chain_load(co: ChainCoefficients, reach: f32, frame: mat3x3<f32>, air: vec3<f32>) -> ChainLoad {
     let speed = sqrt(air.x * air.x + air.y * air.y + air.z * air.z);
     let rise = co.drag * chain_raised(speed, co.drag_thirds);
     // A row vector times a matrix: the force along each of the frame's axes.
     let force = (rise * air - vec3<f32>(0.0, co.weight, 0.0)) * frame;
     let l = co.half_length;
     let power = 1.0 + f32(co.drag_thirds) * (1.0 / 3.0);
-    return ChainLoad(vec2<f32>(-l * force.y, l * force.x), l * (rise * speed - co.weight * frame[2].y), l * l * rise * power);
+    let stiffness = l * (rise * speed - co.weight * frame[2].y);
+    return ChainLoad(vec2<f32>(-l * force.y, l * force.x), stiffness, l * l * rise * power * reach);
 }
 
 fn chain_stopped(joint: vec4<f32>) -> vec4<f32> {
@@ -112,7 +113,8 @@ fn chain_step(blade: ChainCoefficients, base: mat3x3<f32>, wind: vec3<f32>, dt: 
         frame = frame * turn;
         spin = spin * turn + vec3<f32>(joint.zw, 0.0);
         let centre = frame * vec3<f32>(spin.y * co.half_length, -spin.x * co.half_length, 0.0);
-        let load = chain_load(co, frame, wind - end - centre);
+        let reach = co.joints[i].reach;
+        let load = chain_load(co, reach, frame, wind - reach * (end + centre));
         end = end + 2.0 * centre;
         next.joints[i] = chain_swung(co.joints[i], load, dt, joint);
     }

@@ -2,7 +2,7 @@
 //!
 //! Belyaev et al. 2011, §3.1–3.2; methods §3.1. Each joint is a damped oscillator of its own, in its segment's frame; what the others do
 //! to it is where the segment points and how fast it moves. Reads wind. Writes ψ and its rate. Twin: `chain.wgsl`.
-//! Differs from the paper: calibrated numbers, drag and closed form within a step, stops (docs/papers.md).
+//! Differs from the paper: calibrated numbers, closed form within a step, drag of all that is above, stops (docs/papers.md).
 //!
 //! Signs: l × f' with l = (0, 0, l) is (−l f'_y, l f'_x, 0), and M(ψ) with ψ_y > 0 tips a segment towards its local +x, so a force along
 //! +x makes ψ_y grow. Turning a segment by δ takes l f'_z δ from the moment of f: a force that pulls outwards is a stiffness l f'_z.
@@ -69,7 +69,7 @@ struct Load {
     damping: f32,
 }
 
-/// Drag and weight on a segment in frame `turned`, its centre in air that passes with `air` \[m/s\].
+/// Drag and weight on segment `i` in frame `turned`, in air that passes with `air` \[m/s\].
 #[inline(always)]
 fn load(co: &ChainCoefficients, i: usize, turned: &Frame, air: [f32; 3]) -> Load {
     let speed = (air[0] * air[0] + air[1] * air[1] + air[2] * air[2]).sqrt();
@@ -130,6 +130,7 @@ pub fn step(co: &ChainCoefficients, base: &Frame, wind: [f32; 3], dt: f32, state
         let below = to_local(&turn, spin);
         spin = [below[0] + wx, below[1] + wy, below[2]];
         let centre = to_world(&frame, [spin[1] * co.half_length, -spin[0] * co.half_length, 0.0]);
+        // The air that brakes this joint passes all segments above, which move faster.
         let reach = co.joints[i].reach;
         let air = [0, 1, 2].map(|axis| wind[axis] - reach * (end[axis] + centre[axis]));
         end = [0, 1, 2].map(|axis| end[axis] + 2.0 * centre[axis]);
