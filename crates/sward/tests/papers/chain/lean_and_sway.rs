@@ -88,6 +88,35 @@ fn it_sways_at_the_full_chains_frequency() {
     }
 }
 
+/// Largest tilt of a segment while a gust of 20 m/s lays the still blade down, rad: of the full chain and of a simplified one.
+fn laid_down(blade: &Blade, co: &ChainCoefficients) -> [f64; 2] {
+    let n = blade.segments as usize;
+    let mut full = FullChain::new(blade, &UPRIGHT).unwrap();
+    let mut state = ChainState::default();
+    let mut worst = [0.0f64; 2];
+    for _ in 0..60 {
+        full.step([20.0, 0.0, 0.0], STEP);
+        state = step(co, &UPRIGHT, [20.0, 0.0, 0.0], STEP as f32, &state);
+        let mut tilt = 0.0;
+        for i in 0..n {
+            tilt += f64::from(state.joints[i][1]);
+            worst = [worst[0].max(full.directions[i][0].atan2(full.directions[i][1])), worst[1].max(tilt)];
+        }
+    }
+    worst
+}
+
+#[test]
+fn a_sudden_gust_lays_it_down_as_the_full_chain() {
+    for (name, blade) in species() {
+        let [full, found] = laid_down(&blade, &coefficients(&blade));
+        let [_, printed] = laid_down(&blade, &as_printed(&blade));
+        println!("{name}: laid down to {full:.2} rad, simplified {found:.2}, as printed {printed:.2}");
+        assert!((found / full - 1.0).abs() < 0.20, "{name}: {found}, full {full}");
+        assert!((printed / full - 1.0).abs() > 0.20, "{name}: the chain as printed must fail: {printed}");
+    }
+}
+
 /// Tips of the full chain through a wind.
 fn full_tips(blade: &Blade, wind: &[[f32; 3]]) -> Vec<[f64; 3]> {
     let mut chain = FullChain::new(blade, &UPRIGHT).unwrap();
