@@ -144,3 +144,32 @@ fn it_sways_at_the_frequency_of_its_first_mode() {
         assert!((found / first_mode(&blade).unwrap().frequency - 1.0).abs() > 1e-3, "{name}: a heavier blade must fail");
     }
 }
+
+/// What is left of the energy of the first mode after one of its periods.
+fn left(blade: &Blade) -> f64 {
+    let mode = first_mode(blade).unwrap();
+    let mut chain = FullChain::new(blade, &UPRIGHT).unwrap();
+    let rest = chain.energy();
+    for (direction, tilt) in chain.directions.iter_mut().zip(&mode.shape) {
+        *direction = [(0.02 * tilt).sin(), (0.02 * tilt).cos(), 0.0];
+    }
+    let start = chain.energy() - rest;
+    let period = 1.0 / (mode.frequency * (1.0 - blade.damping_ratio * blade.damping_ratio).sqrt());
+    for _ in 0..200 {
+        chain.step([0.0; 3], period / 200.0);
+    }
+    (chain.energy() - rest) / start
+}
+
+#[test]
+fn its_joints_damp_the_first_mode_by_the_ratio_asked_for() {
+    for (name, mut blade) in species() {
+        blade.drag = 0.0;
+        let zeta = blade.damping_ratio;
+        let found = left(&blade).ln();
+        let exact = |zeta: f64| -2.0 * std::f64::consts::TAU * zeta / (1.0 - zeta * zeta).sqrt();
+        println!("{name}: energy falls by e^{found:.3} in a period, by its damping ratio e^{:.3}", exact(zeta));
+        assert!((found / exact(zeta) - 1.0).abs() < 0.02, "{name}");
+        assert!((found / exact(zeta * 1.05) - 1.0).abs() > 0.02, "{name}: another ratio must fail");
+    }
+}
