@@ -2,7 +2,9 @@
 //!
 //! To add one: a folder or file pair `x.rs` + `x.wgsl`, a variant of [`crate::scene::Response`] and an arm where the world steps.
 
+pub mod chain;
 pub mod continuum;
+pub mod oscillation;
 mod stand;
 
 pub use stand::StandModel;

@@ -1,8 +1,9 @@
-//! The continuum response against what the paper and the algebra say. Every comparison has a control that fails.
+//! Responses against what their papers and the algebra say. Every comparison has a control that fails.
 
 #[path = "../common/mod.rs"]
 mod common;
 
+mod chain;
 mod direct;
 mod dispersion;
 mod energy;

@@ -1,0 +1,50 @@
+// Blades without a state. Twin: virtual_inertia.rs, where each function is documented. Needs chain.wgsl.
+
+const VIRTUAL_INERTIA_TURNS: u32 = 3u;
+const VIRTUAL_INERTIA_LEAST_SLOPE: f32 = 0.25;
+
+fn virtual_inertia_weight_moment(co: ChainCoefficients, frame: mat3x3<f32>) -> vec2<f32> {
+    return co.half_length * co.weight * vec2<f32>(frame[1].y, -frame[0].y);
+}
+
+// Moments of a virtual blade, N m
+fn virtual_inertia_moments(blade: ChainCoefficients, base: mat3x3<f32>, bent: ChainState) -> array<vec2<f32>, 8> {
+    var co = blade;
+    var state = bent;
+    var held = array<vec2<f32>, 8>();
+    var frame = base;
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        let bend = state.joints[i].xy;
+        frame = frame * chain_rotation(bend);
+        held[i] = co.joints[i].stiffness * bend - virtual_inertia_weight_moment(co, frame);
+    }
+    return held;
+}
+
+fn virtual_inertia_turned(base: mat3x3<f32>, virtual_base: mat3x3<f32>, moment: vec2<f32>) -> vec2<f32> {
+    return ((virtual_base * vec3<f32>(moment, 0.0)) * base).xy;
+}
+
+// Where turned moments and weight hold a blade; rates are 0
+fn virtual_inertia_pose(blade: ChainCoefficients, base: mat3x3<f32>, moments: array<vec2<f32>, 8>) -> ChainState {
+    var co = blade;
+    var held = moments;
+    var state = ChainState();
+    var below = base;
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        let spring = co.joints[i].stiffness;
+        let heavy = co.weight * co.half_length / spring;
+        var bend = vec2<f32>(0.0);
+        var frame = below;
+        for (var turn = 0u; turn < VIRTUAL_INERTIA_TURNS; turn++) {
+            let slope = math_upper(1.0 - heavy * frame[2].y, VIRTUAL_INERTIA_LEAST_SLOPE);
+            bend = bend + ((held[i] + virtual_inertia_weight_moment(co, frame)) / spring - bend) / slope;
+            let size = sqrt(bend.x * bend.x + bend.y * bend.y);
+            bend = bend * select(1.0, CHAIN_BEND_LIMIT / size, size > CHAIN_BEND_LIMIT);
+            frame = below * chain_rotation(bend);
+        }
+        state.joints[i] = vec4<f32>(bend, 0.0, 0.0);
+        below = frame;
+    }
+    return state;
+}
