@@ -5,9 +5,9 @@ use sward::picture::blade_plan::LEVELS;
 use sward::picture::past::Past;
 use sward::world::World;
 
+use crate::blades;
 use crate::bodies::Bodies;
 use crate::each::each;
-use crate::blades;
 use crate::plants::Batch;
 use crate::sight::Sight;
 use crate::studio::{Layout, Moment, Studio};

@@ -1,6 +1,7 @@
 //! The picture before, on the GPU: its cells, and the plants of the present picture as they were.
 
 use sward::geometry::mesh::Mesh;
+use sward::picture::blade_plan::BladePlan;
 use sward::picture::past::Past;
 use sward::picture::plan::BatchPlan;
 use sward::scene::Precision;
@@ -10,8 +11,9 @@ use sward::world::World;
 
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::{Gpu, GpuError};
+use crate::render::blades::{BladeBuffers, SolvePass, Solving};
 use crate::render::growth_maps::GrowthMaps;
-use crate::render::prepare::{BatchBuffers, PreparePass};
+use crate::render::prepare::{BatchBuffers, PreparePass, Shared};
 use crate::studio::{CellsAt, batch_order};
 
 /// How a stand's cells are stored where they are.
@@ -87,6 +89,27 @@ impl KeptPast {
             let buffers = &mut self.batches[index][plain];
             let (cells, growth) = (&self.cells[index], &growth[index].view);
             pass.record_past(gpu, &mut encoder, &self.moment, (index, origin), ground, &batch, plain == 1, cells, growth, buffers);
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Solves the blades of the present picture as they were.
+    pub(crate) fn solve(
+        &self,
+        gpu: &Gpu,
+        (pass, shared): (&SolvePass, &Shared),
+        origin: PatchKey,
+        ground: &Terrain,
+        (plans, buffers): (&[Option<BladePlan>], &[BladeBuffers]),
+        growth: &[GrowthMaps],
+    ) {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        for (index, plan) in plans.iter().enumerate() {
+            let Some(then) = plan.as_ref().and_then(|plan| self.moment.blades(index, origin, plan)) else { continue };
+            let prepare = self.moment.uniform(index, origin, false, ground);
+            let wind = self.moment.wind(index);
+            let of = Solving { prepare, wind: &wind, cells: &self.cells[index], growth: &growth[index].view };
+            pass.record_past(gpu, &mut encoder, shared, &of, &then, &buffers[index]);
         }
         gpu.queue.submit([encoder.finish()]);
     }

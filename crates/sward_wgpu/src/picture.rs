@@ -11,6 +11,7 @@ use sward::shading::look::{Look, Turf};
 
 use crate::gpu::{Gpu, GpuError};
 use crate::render::aov::{AovPass, Drawn};
+use crate::render::blades::BladePass;
 use crate::render::bodies::BodyPass;
 use crate::render::ground::GroundPass;
 use crate::render::plant_pass::PlantPass;
@@ -45,6 +46,8 @@ pub struct Renderer {
     ground: GroundPass,
     bodies: BodyPass,
     plants: PlantPass,
+    /// Made when there are blades.
+    blades: Option<BladePass>,
     resolve: Resolve,
     targets: Option<Targets>,
     /// Made when outputs beside a picture are first asked for.
@@ -76,6 +79,7 @@ impl Renderer {
             ground: GroundPass::new(gpu, &frame, &shadow, &relief, Turf::of(&looks)),
             bodies: BodyPass::new(gpu, &frame, &shadow),
             plants: PlantPass::new(gpu, &looks),
+            blades: None,
             resolve: Resolve::new(gpu),
             targets: None,
             aov: None,
@@ -140,6 +144,10 @@ impl Renderer {
         self.ground.lay(gpu, input.terrain, &input.growth);
         self.bodies.place(gpu, input.bodies);
         let ready = self.plants.ready(gpu, &self.frame, &self.shadow, plants);
+        if self.blades.is_none() && !plants.blades.is_empty() {
+            self.blades = Some(BladePass::new(gpu));
+        }
+        let ready_blades = self.blades.as_mut().map(|pass| pass.ready(gpu, &self.frame, &self.shadow, plants.blades)).unwrap_or_default();
         let targets = match self.targets.take() {
             Some(targets) if targets.size == size => targets,
             _ => self.resolve.targets(gpu, &self.frame, size),
@@ -150,6 +158,9 @@ impl Renderer {
             let mut pass = self.shadow.begin(&mut encoder, writes.map(|(_, writes)| writes));
             self.bodies.draw_shadow(&mut pass);
             self.plants.draw_shadow(&mut pass, &ready);
+            if let Some(blades) = &self.blades {
+                blades.draw_shadow(&mut pass, &ready_blades);
+            }
         }
         {
             // Near things first: what they hide is never shaded.
@@ -165,6 +176,9 @@ impl Renderer {
             self.bodies.draw(&mut pass);
             next(&mut pass, 1);
             self.plants.draw(&mut pass, &ready);
+            if let Some(blades) = &self.blades {
+                blades.draw(&mut pass, &ready_blades);
+            }
             next(&mut pass, 2);
             self.ground.draw(&mut pass);
             next(&mut pass, 3);
@@ -179,9 +193,10 @@ impl Renderer {
         gpu.queue.submit([encoder.finish()]);
         self.targets = Some(targets);
         if let Some(before) = before {
-            let Self { frame, ground, bodies, plants, .. } = self;
+            let Self { frame, ground, bodies, plants, blades, .. } = self;
+            let blades = blades.as_ref().filter(|_| !ready_blades.0.is_empty());
             let pass = self.aov.get_or_insert_with(|| AovPass::new(gpu, frame, bodies));
-            pass.draw(gpu, &Drawn { frame, ground, bodies, plants, ready: &ready }, before, size);
+            pass.draw(gpu, &Drawn { frame, ground, bodies, plants, ready: &ready, blades, ready_blades: &ready_blades }, before, size);
         }
         gpu.check()
     }

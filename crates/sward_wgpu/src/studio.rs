@@ -1,9 +1,12 @@
 //! A world, drawn: prepares the visible plants and hands everything to the renderer.
 
 use sward::picture::aov::Aov;
-use sward::picture::plan::{BatchPlan, Seen, plan, share};
+use sward::picture::blade_plan::{self, BladePlan};
+use sward::picture::plan::{BatchPlan, PatchDraw, Seen, plan, share};
+use sward::picture::prepare::PrepareUniform;
 use sward::picture::subject::{self, Frame};
 use sward::scene::Precision;
+use sward::shading::blade::BladeStyle;
 use sward::shading::look::Look;
 use sward::state::PatchKey;
 use sward::view::View;
@@ -14,6 +17,7 @@ use crate::compute::buffers::CellBuffers;
 use crate::gpu::{Gpu, GpuError};
 use crate::past::KeptPast;
 use crate::picture::{self, Before, Picture, Renderer, Setup};
+use crate::render::blades::{BladeBuffers, BladeDraw, SolvePass, Solving};
 use crate::render::growth_maps::GrowthMaps;
 use crate::render::plants::{PlantBatch, PlantCount, PlantDraws};
 use crate::render::prepare::{BatchBuffers, PreparePass};
@@ -36,6 +40,10 @@ pub struct Studio {
     meshes: Vec<Option<usize>>,
     /// Near and plain plants of each stand.
     batches: Vec<[BatchBuffers; 2]>,
+    /// Where there are stands of blades.
+    solve: Option<SolvePass>,
+    /// Blades of each stand.
+    blades: Vec<BladeBuffers>,
     /// Where each stand grows.
     growth: Vec<GrowthMaps>,
     /// Cells uploaded from the CPU, per stand.
@@ -51,6 +59,8 @@ struct Ready {
     view: View,
     /// Near and plain plants of each stand.
     plans: Vec<[BatchPlan; 2]>,
+    /// Blades of each stand of them.
+    blades: Vec<Option<BladePlan>>,
 }
 
 impl Studio {
@@ -66,7 +76,10 @@ impl Studio {
         let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand, Precision::Full)).collect();
         let batches = world.model.stands.iter().map(|_| Default::default()).collect();
         let growth = world.model.stands.iter().map(|stand| GrowthMaps::new(gpu, stand)).collect();
-        let studio = Self { renderer, prepare: PreparePass::new(gpu, world), looks, meshes, batches, growth, uploaded, past: None };
+        let solve = world.model.stands.iter().any(|stand| stand.species.blade.is_some()).then(|| SolvePass::new(gpu));
+        let blades = world.model.stands.iter().map(|_| BladeBuffers::default()).collect();
+        let prepare = PreparePass::new(gpu, world);
+        let studio = Self { renderer, prepare, looks, meshes, batches, solve, blades, growth, uploaded, past: None };
         gpu.check()?;
         Ok(studio)
     }
@@ -85,10 +98,12 @@ impl Studio {
     /// What the device reports.
     pub fn draw_before(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64, size: [u32; 2]) -> Result<Picture, GpuError> {
         gpu.check()?;
-        let ready = self.ready(gpu, world, &cells, behind)?;
+        let size = picture::fitting(gpu, size);
+        let ready = self.ready(gpu, world, &cells, behind, size, false)?;
         let bodies = subject::bodies(world, &ready.frame, &self.meshes);
         let input = ready.frame.input(world, &ready.view, &bodies);
-        self.renderer.draw(gpu, &input, &PlantDraws { batches: &drawn(&self.batches, world, &ready.plans) }, size)?;
+        let (batches, blades) = (drawn(&self.batches, world, &ready.plans), strips(&self.blades, world, &self.looks, &ready.blades));
+        self.renderer.draw(gpu, &input, &PlantDraws { batches: &batches, blades: &blades }, size)?;
         self.renderer.read(gpu)
     }
 
@@ -113,17 +128,22 @@ impl Studio {
             Some(past) => past,
             None => KeptPast::new(gpu, world, &cells, behind)?,
         };
-        let ready = self.ready(gpu, world, &cells, behind)?;
+        let ready = self.ready(gpu, world, &cells, behind, size, true)?;
         let bodies = subject::bodies(world, &ready.frame, &self.meshes);
         let input = ready.frame.input(world, &ready.view, &bodies);
         past.prepare(gpu, &self.prepare, ready.origin, &world.model.terrain, &ready.plans, &self.growth);
+        if let Some(solve) = &self.solve {
+            let passes = (solve, &self.prepare.shared);
+            past.solve(gpu, passes, ready.origin, &world.model.terrain, (&ready.blades, &self.blades), &self.growth);
+        }
         let before = Before {
             camera: past.moment.camera(&ready.frame, size),
             bodies: &past.moment.bodies(&ready.frame, &bodies, &self.meshes),
             meshes: &past.meshes(&self.meshes),
             plants: &past.plants(&ready.plans),
         };
-        self.renderer.draw_aov(gpu, &input, &PlantDraws { batches: &drawn(&self.batches, world, &ready.plans) }, &before, size)?;
+        let (batches, blades) = (drawn(&self.batches, world, &ready.plans), strips(&self.blades, world, &self.looks, &ready.blades));
+        self.renderer.draw_aov(gpu, &input, &PlantDraws { batches: &batches, blades: &blades }, &before, size)?;
         let images = (self.renderer.read(gpu)?, self.renderer.read_aov(gpu)?);
         past.keep(gpu, world, &cells, behind)?;
         self.past = Some(past);
@@ -146,8 +166,8 @@ impl Studio {
         }
     }
 
-    /// Brings cells, bodies and plants to the moment of a picture.
-    fn ready(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>, behind: f64) -> Result<Ready, GpuError> {
+    /// Brings cells, bodies and plants to the moment of a picture of `size` pixels; `then`: with room for the picture before.
+    fn ready(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>, behind: f64, size: [u32; 2], then: bool) -> Result<Ready, GpuError> {
         if matches!(cells, CellsAt::Cpu) {
             for ((buffers, state), stand) in self.uploaded.iter_mut().zip(&world.state.stands).zip(&world.model.stands) {
                 buffers.reserve(gpu, state, stand.is_level(&world.model.terrain))?;
@@ -158,8 +178,11 @@ impl Studio {
         self.pose_figures(gpu, world, behind);
         let view = world.camera_before(behind);
         let (frame, origin) = Frame::of(world, &view, behind);
-        let plans = self.prepare_plants(gpu, world, cells, &Seen { view: &view, origin, fullness: 1.0, behind });
-        Ok(Ready { frame, origin, view, plans })
+        let seen = Seen { view: &view, origin, fullness: 1.0, behind };
+        let projection = frame.view(&view).projection(size);
+        let mut blades = blade_plan::plan(world, &seen, &self.looks, &projection, then);
+        let plans = self.prepare_plants(gpu, world, cells, &seen, &mut blades);
+        Ok(Ready { frame, origin, view, plans, blades })
     }
 
     /// Times the passes of the pictures while there is one.
@@ -172,8 +195,20 @@ impl Studio {
         self.batches.get(stand)
     }
 
-    /// Fills the batches; returns what they hold.
-    fn prepare_plants(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt, seen: &Seen) -> Vec<[BatchPlan; 2]> {
+    /// The blades of a stand in the last picture.
+    pub fn blades(&self, stand: usize) -> Option<&BladeBuffers> {
+        self.blades.get(stand)
+    }
+
+    /// Fills the batches, and the blades as planned; returns what the batches hold.
+    fn prepare_plants(
+        &mut self,
+        gpu: &Gpu,
+        world: &World,
+        cells: &CellsAt,
+        seen: &Seen,
+        blades: &mut [Option<BladePlan>],
+    ) -> Vec<[BatchPlan; 2]> {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         self.prepare.follow(gpu, world);
         let share = share(world);
@@ -182,7 +217,9 @@ impl Studio {
             let look = &self.looks[index];
             let (mut plans, fullness) = plan(world, index, seen, look, share);
             let growth = &mut self.growth[index];
-            growth.place(gpu, world, stand, &mut plans);
+            let blade_draws = blades[index].iter_mut().flat_map(|plan| &mut plan.draws);
+            let mut draws: Vec<&mut PatchDraw> = plans.iter_mut().flat_map(|batch| &mut batch.draws).chain(blade_draws).collect();
+            growth.place(gpu, world, stand, &mut draws);
             let stored = match cells {
                 CellsAt::Gpu(step) => step.cells(index).unwrap_or(&self.uploaded[index]),
                 CellsAt::Cpu => &self.uploaded[index],
@@ -205,6 +242,13 @@ impl Studio {
                     self.renderer.stopwatch.as_mut(),
                 );
             }
+            if let (Some(solve), Some(plan)) = (&self.solve, &blades[index]) {
+                let prepare = PrepareUniform::new(world, stand, false, seen, look);
+                let wind = world.wind_before(stand, seen.behind);
+                let of = Solving { prepare, wind: &wind, cells: stored, growth: &growth.view };
+                let (shared, buffers) = (&self.prepare.shared, &mut self.blades[index]);
+                solve.record(gpu, &mut encoder, shared, &of, plan, buffers, self.renderer.stopwatch.as_mut());
+            }
             filled.push(plans);
         }
         gpu.queue.submit([encoder.finish()]);
@@ -219,6 +263,19 @@ impl Studio {
             }
         }
     }
+}
+
+/// What is drawn of the stands of blades made ready.
+fn strips<'a>(buffers: &'a [BladeBuffers], world: &World, looks: &[Look], plans: &[Option<BladePlan>]) -> Vec<BladeDraw<'a>> {
+    let draw = |(index, plan): (usize, &Option<BladePlan>)| {
+        let (numbers, blade) = (&plan.as_ref()?.uniform, world.model.stands[index].species.blade.as_ref()?);
+        let style = |level: usize| {
+            let shape = [numbers.pieces[level], numbers.stride(level), numbers.firsts[level], level as u32];
+            BladeStyle::new(blade, &looks[index], shape)
+        };
+        Some(BladeDraw { buffers: &buffers[index], styles: [style(0), style(1), style(2)] })
+    };
+    plans.iter().enumerate().filter_map(draw).collect()
 }
 
 /// Batches that hold plants, as (stand, 0 near or 1 plain), in the order they are drawn.

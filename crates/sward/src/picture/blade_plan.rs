@@ -119,7 +119,8 @@ fn squares(world: &World, stand: &StandModel, list: &[Sighted], origin: [i32; 2]
     let side = world.model.patch_side;
     let square = side / SQUARES as f64;
     let origin = origin.map(|patch| f64::from(patch) * side);
-    let candidates = f64::from(stand.cells * stand.cells * numbers.pieces[3]) * f64::from(stand.placement.cover) / (SQUARES * SQUARES) as f64;
+    let candidates =
+        f64::from(stand.cells * stand.cells * numbers.pieces[3]) * f64::from(stand.placement.cover) / (SQUARES * SQUARES) as f64;
     let radius = 0.71 * square as f32 + stand.species.height[1];
     let mut found = Vec::new();
     for (patch, k) in list.iter().flat_map(|sighted| (0..SQUARES * SQUARES).map(|k| (sighted.patch, k))) {
@@ -175,7 +176,15 @@ pub fn plan(world: &World, seen: &Seen, looks: &[Look], projection: &Mat4, then:
     let settled = stands.iter().enumerate().map(|(index, stand)| {
         let (numbers, list, squares) = stand.as_ref()?;
         let rooms = expected(squares, numbers, stretch).map(|blades| blades as u32);
-        Some(settle(world, index, seen.origin, list, BladeUniform { thinning: with_last(numbers.thinning, stretch), ..*numbers }, rooms, then))
+        Some(settle(
+            world,
+            index,
+            seen.origin,
+            list,
+            BladeUniform { thinning: with_last(numbers.thinning, stretch), ..*numbers },
+            rooms,
+            then,
+        ))
     });
     settled.collect()
 }

@@ -72,7 +72,15 @@ impl Blades<'_> {
     }
 
     /// One blade of the picture after, as it was: with as many points as there, though it may not have been drawn.
-    pub fn past(&self, draw: &PatchDraw, phases: &Phases, growth: Option<&[u8]>, now: &Blade, level: usize, points: &mut [Vec3]) -> Option<Blade> {
+    pub fn past(
+        &self,
+        draw: &PatchDraw,
+        phases: &Phases,
+        growth: Option<&[u8]>,
+        now: &Blade,
+        level: usize,
+        points: &mut [Vec3],
+    ) -> Option<Blade> {
         let grown = self.grown(draw, growth, [now.draw, now.rank], false)?;
         self.bend(draw, phases, &grown, level, points);
         Some(grown.blade)

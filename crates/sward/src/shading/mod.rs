@@ -29,4 +29,4 @@ pub const FOLIAGE_WGSL: &str = include_str!("foliage.wgsl");
 pub const BODY_WGSL: &str = include_str!("body.wgsl");
 
 /// All texts in the order they must be joined.
-pub const WGSL: [&str; 6] = [COMMON_WGSL, SKY_WGSL, GRASS_WGSL, GROUND_WGSL, FOLIAGE_WGSL, BODY_WGSL];
+pub const WGSL: [&str; 7] = [COMMON_WGSL, SKY_WGSL, GRASS_WGSL, GROUND_WGSL, FOLIAGE_WGSL, BODY_WGSL, blade::WGSL];

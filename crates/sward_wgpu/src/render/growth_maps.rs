@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use sward::picture::plan::BatchPlan;
+use sward::picture::plan::PatchDraw;
 use sward::response::StandModel;
 use sward::state::{NONE, PatchKey};
 use sward::world::World;
@@ -54,13 +54,13 @@ impl GrowthMaps {
     }
 
     /// Makes the maps that the patches of a picture still lack, and tells each patch where its own is.
-    pub fn place(&mut self, gpu: &Gpu, world: &World, stand: &StandModel, batches: &mut [BatchPlan; 2]) {
+    pub fn place(&mut self, gpu: &Gpu, world: &World, stand: &StandModel, draws: &mut [&mut PatchDraw]) {
         if stand.growth.is_free() {
             return;
         }
-        self.forget(world, batches);
+        self.forget(world, draws);
         let mut fresh = Vec::new();
-        for draw in batches.iter_mut().flat_map(|batch| &mut batch.draws) {
+        for draw in draws {
             if !self.places.contains_key(&draw.patch) {
                 let map = stand.growth_map(&world.model.terrain, draw.patch);
                 let place = if map.is_some() { self.free.pop_first().unwrap_or_else(|| self.next()) } else { NONE };
@@ -84,8 +84,8 @@ impl GrowthMaps {
     }
 
     /// Drops maps of patches out of sight, and all of them when the ground has changed.
-    fn forget(&mut self, world: &World, batches: &[BatchPlan; 2]) {
-        let seen: BTreeSet<PatchKey> = batches.iter().flat_map(|batch| &batch.draws).map(|draw| draw.patch).collect();
+    fn forget(&mut self, world: &World, draws: &[&mut PatchDraw]) {
+        let seen: BTreeSet<PatchKey> = draws.iter().map(|draw| draw.patch).collect();
         let changed = self.edits != world.model.terrain.changes();
         self.edits = world.model.terrain.changes();
         let gone: Vec<PatchKey> = self.places.keys().filter(|patch| changed || !seen.contains(*patch)).copied().collect();

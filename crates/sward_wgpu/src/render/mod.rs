@@ -2,6 +2,7 @@
 
 pub mod aov;
 mod bare;
+pub mod blades;
 pub mod bodies;
 pub mod clump_texture;
 pub mod ground;
@@ -45,10 +46,12 @@ pub fn assembled() -> Vec<(&'static str, String)> {
         ("bodies", assemble(&bodies::PARTS)),
         ("ground", assemble(&ground::PARTS)),
         ("plants", assemble(&plant_pass::PARTS)),
+        ("blades", assemble(&[&[blades::constants().as_str()], &blades::PARTS[..]].concat())),
         ("sky", assemble(&sky::PARTS)),
         ("resolve", assemble(&targets::PARTS)),
         ("resolve, OpenGL", assemble(&targets::MEAN_PARTS)),
     ];
+    texts.extend(blades::assembled());
     texts.extend(aov::assembled());
     texts
 }

@@ -33,10 +33,12 @@ pub struct PlantBatch<'a> {
 }
 
 /// All plants of a picture.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Default)]
 pub struct PlantDraws<'a> {
-    /// Near to far.
+    /// Billboards, near to far.
     pub batches: &'a [PlantBatch<'a>],
+    /// Stands of blades.
+    pub blades: &'a [super::blades::BladeDraw<'a>],
 }
 
 /// Indices drawn per instance.

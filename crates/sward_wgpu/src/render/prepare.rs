@@ -31,9 +31,24 @@ pub fn assembled() -> String {
         sward::response::continuum::HALF_WGSL,
         CELLS_WGSL,
         &variants,
+        include_str!("bends.wgsl"),
         include_str!("prepare.wgsl"),
     ]
     .join("\n")
+}
+
+/// What all passes that solve plants read.
+pub struct Shared {
+    heights: HeightSamples,
+    /// The noise of the wind.
+    pub tile: wgpu::Buffer,
+}
+
+impl Shared {
+    /// Heights of the ground, m.
+    pub fn heights(&self) -> &wgpu::Buffer {
+        &self.heights.buffer
+    }
 }
 
 /// The pipelines and what they always read.
@@ -42,8 +57,8 @@ pub struct PreparePass {
     full: wgpu::ComputePipeline,
     /// For cells at half precision, where the scene asks for them.
     half: Option<wgpu::ComputePipeline>,
-    heights: HeightSamples,
-    tile: wgpu::Buffer,
+    /// What other passes read too.
+    pub shared: Shared,
 }
 
 /// The transient buffers of one batch, kept from picture to picture.
@@ -99,14 +114,16 @@ impl PreparePass {
         Self {
             full: pipeline(0.0),
             half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(1.0)),
-            heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
-            tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
+            shared: Shared {
+                heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
+                tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
+            },
         }
     }
 
     /// Follows what was added to the ground.
     pub fn follow(&mut self, gpu: &Gpu, world: &World) {
-        self.heights.follow(gpu, &world.model.terrain);
+        self.shared.heights.follow(gpu, &world.model.terrain);
     }
 
     /// Records the pass for one batch. `plain` batches have one segment.
@@ -171,7 +188,8 @@ impl PreparePass {
         let uniform = made("prepare", bytemuck::bytes_of(uniform), wgpu::BufferUsages::UNIFORM);
         let wind = made("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
         let draws = made("patches to draw", bytemuck::cast_slice(&batch.draws), wgpu::BufferUsages::STORAGE);
-        let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &self.heights.buffer, &self.tile, plants, joints, &cells.old];
+        let Shared { heights, tile } = &self.shared;
+        let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &heights.buffer, tile, plants, joints, &cells.old];
         let mut entries: Vec<wgpu::BindGroupEntry> = bound
             .iter()
             .enumerate()

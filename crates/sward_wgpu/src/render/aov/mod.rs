@@ -1,6 +1,7 @@
 //! The pass of outputs beside the picture: depth, motion and plants of each pixel, of one sample. Nothing of it exists until it is asked
 //! for.
 
+mod blades;
 mod bodies;
 mod ground;
 mod plants;
@@ -11,6 +12,7 @@ use sward::geometry::mesh::Mesh;
 use sward::picture::aov::AovUniform;
 use sward::picture::frame::BodyDraw;
 
+use super::blades::{BladePass, ReadyBlades};
 use super::bodies::BodyPass;
 use super::ground::GroundPass;
 use super::plant_pass::{PlantPass, ReadyPlants};
@@ -24,8 +26,9 @@ pub const FORMATS: [wgpu::TextureFormat; 3] = [wgpu::TextureFormat::R32Float, wg
 const WGSL: &str = include_str!("aov.wgsl");
 
 /// Every assembled text with its name, for validation.
-pub fn assembled() -> [(&'static str, String); 4] {
+pub fn assembled() -> [(&'static str, String); 5] {
     [
+        ("blades, outputs", assemble(&[&[super::blades::constants().as_str()], &blades::parts()[..]].concat())),
         ("bodies, outputs", assemble(&bodies::parts())),
         ("ground, outputs", assemble(&ground::parts())),
         ("plants, outputs", assemble(&plants::parts())),
@@ -52,6 +55,8 @@ pub(crate) struct Drawn<'a> {
     pub(crate) bodies: &'a BodyPass,
     pub(crate) plants: &'a PlantPass,
     pub(crate) ready: &'a ReadyPlants<'a>,
+    pub(crate) blades: Option<&'a BladePass>,
+    pub(crate) ready_blades: &'a ReadyBlades<'a>,
 }
 
 pub(crate) struct AovPass {
@@ -59,6 +64,8 @@ pub(crate) struct AovPass {
     bodies: bodies::Bodies,
     ground: ground::Ground,
     plants: plants::Plants,
+    /// Made when there are blades.
+    blades: Option<blades::Blades>,
     sky: sky::Sky,
     targets: Option<Targets>,
 }
@@ -123,6 +130,7 @@ impl AovPass {
             bodies: bodies::Bodies::new(gpu, frame, &uniform, &bodies.instances),
             ground: ground::Ground::new(gpu, frame, &uniform),
             plants: plants::Plants::new(gpu),
+            blades: None,
             sky: sky::Sky::new(gpu, frame, &uniform),
             targets: None,
             uniform,
@@ -134,12 +142,19 @@ impl AovPass {
         gpu.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&before.camera));
         let ready = self.plants.ready(gpu, &self.uniform, drawn, before.plants);
         let moved = self.bodies.place(gpu, before);
+        let blades = drawn.blades.map(|pass| {
+            let outputs = self.blades.get_or_insert_with(|| blades::Blades::new(gpu));
+            (pass, outputs.ready(gpu, &self.uniform, drawn))
+        });
         let targets = self.targets.take().filter(|targets| targets.size == size).unwrap_or_else(|| Targets::new(gpu, size));
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         {
             let mut pass = targets.begin(&mut encoder);
             self.bodies.draw(&mut pass, drawn.bodies, &moved);
             self.plants.draw(&mut pass, drawn, &ready);
+            if let (Some((blade_pass, ready)), Some(outputs)) = (&blades, &self.blades) {
+                outputs.draw(&mut pass, (blade_pass, drawn.ready_blades), ready);
+            }
             self.ground.draw(gpu, &mut pass, drawn.ground);
             self.sky.draw(&mut pass);
         }

@@ -1,0 +1,60 @@
+// The passes that solve blades.
+
+// The patch of a workgroup: the last one whose first workgroup is not beyond it.
+fn blades_patch(group: u32) -> u32 {
+    var low = 0u;
+    var high = blades.rooms.w;
+    while low + 1u < high {
+        let middle = (low + high) / 2u;
+        if draws[middle].first <= group {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+@compute @workgroup_size(64)
+fn blades_pass(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let workgroup = group.y * groups.x + group.x;
+    let which = blades_patch(workgroup);
+    let rank = (workgroup - draws[which].first) * BLADE_GROUP + lane;
+    if rank >= draws[which].count {
+        return;
+    }
+    let grown = blades_grown(which, rank, true);
+    if !grown.seen {
+        return;
+    }
+    let slot = atomicAdd(&found[grown.level], 1u);
+    if slot >= blades.rooms[grown.level] {
+        return;
+    }
+    let first = blades.firsts[grown.level] + slot * blades_stride(grown.level);
+    let blade = grown.blade;
+    records[first] = bitcast<vec4<u32>>(vec4<f32>(blade.root, blade.height));
+    records[first + 1u] = bitcast<vec4<u32>>(vec4<f32>(blade.yaw, blade.width, blade.tint, blade.twist));
+    records[first + 2u] = vec4<u32>(bitcast<vec2<u32>>(blade.slope), blade.draw, blade.rank);
+    blades_bend(grown, grown.level, first + BLADE_HEAD);
+}
+
+// The same blades as they were in the picture before: the number of the plant, then points.
+@compute @workgroup_size(64)
+fn blades_then_pass(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    var slot = (group.y * groups.x + group.x) * BLADE_GROUP + lane;
+    var level = 0u;
+    while level < 2u && slot >= blades.rooms[level] {
+        slot -= blades.rooms[level];
+        level += 1u;
+    }
+    if slot >= min(atomicLoad(&found[level]), blades.rooms[level]) {
+        return;
+    }
+    let first = blades.firsts[level] + slot * blades_stride(level);
+    let source = records[first + 2u].zw;
+    let grown = blades_grown(source.x, source.y, false);
+    let then = first + BLADE_HEAD + blades.pieces[level] + 1u;
+    records[then] = vec4<u32>(prepare_number(draws[source.x].patch_index, grown.cell), 0u, 0u, 0u);
+    blades_bend(grown, level, then + 1u);
+}

@@ -1,0 +1,221 @@
+//! The passes that solve blades, and the buffers they fill.
+
+use std::sync::OnceLock;
+
+use sward::picture::blade_plan::{BLADES_PER_INSTANCE, BladePlan, BladeUniform, GROUP, LEVELS};
+use sward::picture::prepare::PrepareUniform;
+use sward::response::continuum::NODE_CELLS;
+use sward::scene::Precision;
+use sward::wind::WindField;
+
+use crate::compute::CELLS_WGSL;
+use crate::compute::buffers::CellBuffers;
+use crate::gpu::Gpu;
+use crate::render::prepare::Shared;
+use crate::stopwatch::Stopwatch;
+
+/// Most workgroups along an axis of a dispatch.
+const MOST_GROUPS: u32 = 65535;
+
+/// The full text of the shader that solves blades.
+pub(super) fn assembled() -> String {
+    [
+        sward::math::WGSL,
+        sward::wind::WGSL,
+        sward::terrain::WGSL,
+        sward::placement::WGSL,
+        sward::geometry::billboard::WGSL,
+        sward::geometry::blade::WGSL,
+        sward::response::continuum::HALF_WGSL,
+        CELLS_WGSL,
+        &super::constants(),
+        include_str!("../bends.wgsl"),
+        include_str!("solve.wgsl"),
+        include_str!("passes.wgsl"),
+    ]
+    .join("\n")
+}
+
+/// The text of the shader that makes draw arguments.
+pub(super) fn finish() -> String {
+    [&super::constants(), include_str!("finish.wgsl")].join("\n")
+}
+
+/// Blades of one stand, kept from picture to picture.
+#[derive(Default)]
+pub struct BladeBuffers {
+    /// Records, numbers found, draw arguments; none before the first picture.
+    pub filled: Option<[wgpu::Buffer; 3]>,
+    /// What the last picture decided.
+    pub numbers: Option<BladeUniform>,
+}
+
+impl BladeBuffers {
+    fn reserve(&mut self, gpu: &Gpu, numbers: &BladeUniform) {
+        let bytes = u64::from(numbers.records()).max(16) * 16;
+        self.numbers = Some(*numbers);
+        if self.filled.as_ref().is_some_and(|[records, ..]| records.size() >= bytes) {
+            return;
+        }
+        let make = |label: &str, size: u64, usage: wgpu::BufferUsages| {
+            let usage = usage | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+            gpu.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+        };
+        // Some room to spare, so that a moving camera does not ask for a new one every time.
+        let bytes = (bytes + bytes / 4).min(u64::from(gpu.device.limits().max_storage_buffer_binding_size)).max(bytes);
+        self.filled = Some([
+            make("blades", bytes, wgpu::BufferUsages::empty()),
+            make("blades found", 16, wgpu::BufferUsages::COPY_DST),
+            make("blades to draw", 64, wgpu::BufferUsages::INDIRECT),
+        ]);
+    }
+}
+
+/// The pipelines.
+pub struct SolvePass {
+    module: wgpu::ShaderModule,
+    /// For cells at full and at half precision: this picture's blades, and the same ones in the picture before. Made when first asked for.
+    solve: [[OnceLock<wgpu::ComputePipeline>; 2]; 2],
+    finish: wgpu::ComputePipeline,
+}
+
+/// What one stand's blades are solved from.
+pub struct Solving<'a> {
+    /// Bends.
+    pub prepare: PrepareUniform,
+    /// The wind on the stand's nodes.
+    pub wind: &'a WindField,
+    /// Its cells.
+    pub cells: &'a CellBuffers,
+    /// Where it grows.
+    pub growth: &'a wgpu::TextureView,
+}
+
+impl SolvePass {
+    /// Builds the pipelines.
+    pub fn new(gpu: &Gpu) -> Self {
+        let module = |label: &str, text: String| {
+            gpu.device
+                .create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source: wgpu::ShaderSource::Wgsl(text.into()) })
+        };
+        let (solving, finishing) = (module("blades", assembled()), module("blades, counted", finish()));
+        let finish = pipeline(gpu, &finishing, "blades_finish", &[]);
+        Self { module: solving, solve: Default::default(), finish }
+    }
+
+    /// Solves what a picture shows of a stand.
+    pub fn record(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        shared: &Shared,
+        of: &Solving<'_>,
+        plan: &BladePlan,
+        buffers: &mut BladeBuffers,
+        stopwatch: Option<&mut Stopwatch>,
+    ) {
+        buffers.reserve(gpu, &plan.uniform);
+        let Some([records, found, arguments]) = &buffers.filled else { return };
+        encoder.clear_buffer(found, 0, None);
+        if plan.workgroups > 0 {
+            let timing = stopwatch.and_then(|stopwatch| stopwatch.compute("blades"));
+            self.dispatch(gpu, encoder, shared, of, (plan, 0, plan.workgroups), [records, found], timing);
+        }
+        let pieces = [0, 1, 2].map(|level: usize| plan.uniform.pieces[level]);
+        let [near, middle, far] = pieces.map(|pieces| 3 * (2 * pieces - 1) * BLADES_PER_INSTANCE);
+        let [a, b, c, _] = plan.uniform.rooms;
+        let counts = gpu.filled("blades", bytemuck::cast_slice(&[a, b, c, 0, near, middle, far, 0]), wgpu::BufferUsages::UNIFORM);
+        let group = group(gpu, &self.finish, &[(0, found), (1, arguments), (2, &counts)], None);
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("blades, counted"), timestamp_writes: None });
+        pass.set_pipeline(&self.finish);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups(1, 1, 1);
+    }
+
+    /// Solves the blades of the picture once more, as they were in the one before: `then` is its plan of [`sward::picture::past::Past::blades`].
+    pub fn record_past(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        shared: &Shared,
+        of: &Solving<'_>,
+        then: &BladePlan,
+        buffers: &BladeBuffers,
+    ) {
+        let Some([records, found, _]) = &buffers.filled else { return };
+        let rooms: u32 = then.uniform.rooms[..LEVELS].iter().sum();
+        if rooms > 0 && !then.draws.is_empty() {
+            self.dispatch(gpu, encoder, shared, of, (then, 1, rooms.div_ceil(GROUP)), [records, found], None);
+        }
+    }
+
+    fn dispatch(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        shared: &Shared,
+        of: &Solving<'_>,
+        (plan, which, workgroups): (&BladePlan, usize, u32),
+        [records, found]: [&wgpu::Buffer; 2],
+        timing: Option<wgpu::ComputePassTimestampWrites<'_>>,
+    ) {
+        let half = usize::from(of.cells.precision == Precision::Half);
+        let entry = ["blades_pass", "blades_then_pass"][which];
+        let pipeline = self.solve[half][which].get_or_init(|| pipeline(gpu, &self.module, entry, &[("half_precision", half as f64)]));
+        let wind = of.wind.block(of.prepare.placement.cells / NODE_CELLS);
+        let prepare = gpu.filled("prepare", bytemuck::bytes_of(&of.prepare), wgpu::BufferUsages::UNIFORM);
+        let wind = gpu.filled("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
+        let draws = gpu.filled("patches to draw", bytemuck::cast_slice(&plan.draws), wgpu::BufferUsages::STORAGE);
+        let numbers = gpu.filled("blades", bytemuck::bytes_of(&plan.uniform), wgpu::BufferUsages::UNIFORM);
+        let cells = of.cells;
+        let bound = [
+            (0, &prepare),
+            (1, &wind),
+            (2, &draws),
+            (3, &cells.now),
+            (4, &cells.upper),
+            (5, shared.heights()),
+            (6, &shared.tile),
+            (7, records),
+            (8, found),
+            (9, &cells.old),
+            (11, &numbers),
+        ];
+        let group = group(gpu, pipeline, &bound, Some((10, of.growth)));
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("blades"), timestamp_writes: timing });
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        let across = workgroups.min(MOST_GROUPS);
+        pass.dispatch_workgroups(across, workgroups.div_ceil(across), 1);
+    }
+}
+
+fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &str, constants: &[(&str, f64)]) -> wgpu::ComputePipeline {
+    gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some(entry),
+        layout: None,
+        module,
+        entry_point: Some(entry),
+        compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
+        cache: None,
+    })
+}
+
+fn group(
+    gpu: &Gpu,
+    pipeline: &wgpu::ComputePipeline,
+    buffers: &[(u32, &wgpu::Buffer)],
+    texture: Option<(u32, &wgpu::TextureView)>,
+) -> wgpu::BindGroup {
+    let bound = buffers.iter();
+    let mut entries: Vec<wgpu::BindGroupEntry> =
+        bound.map(|(binding, buffer)| wgpu::BindGroupEntry { binding: *binding, resource: buffer.as_entire_binding() }).collect();
+    if let Some((binding, view)) = texture {
+        entries.push(wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) });
+    }
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("blades"),
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &entries,
+    })
+}
