@@ -93,23 +93,32 @@ impl Blades<'_> {
         j * prepare.placement.cells + i
     }
 
-    /// The plant a place of the drawing order belongs to, its cell, and the number of the blade.
-    fn plant(&self, draw: &PatchDraw, growth: Option<&[u8]>, rank: u32) -> Option<(Plant, [u32; 2], u32)> {
+    /// The plant a place of the drawing order belongs to, and the number of the blade.
+    fn plant(&self, draw: &PatchDraw, growth: Option<&[u8]>, rank: u32, cell: [u32; 2]) -> Option<(Plant, u32)> {
         let prepare = &self.preparing.uniform;
-        let cell = ordered_cell(rank & ((1 << (2 * prepare.bits)) - 1), prepare.bits);
-        if cell.iter().any(|at| *at >= prepare.placement.cells) {
-            return None;
-        }
         let placed = placement::plant(&prepare.placement, draw.patch, cell)?;
         let index = cell[1] * prepare.placement.cells + cell[0];
         let placed = growth.map_or(Some(placed), |growth| placement::grown(placed, growth[index as usize]))?;
-        Some((placed, cell, rank >> (2 * prepare.bits)))
+        Some((placed, rank >> (2 * prepare.bits)))
     }
 
     /// What grows at a place of the drawing order and, if `only_seen`, may be seen.
     fn grown(&self, draw: &PatchDraw, growth: Option<&[u8]>, [number, rank]: [u32; 2], only_seen: bool) -> Option<Grown> {
         let (prepare, numbers) = (&self.preparing.uniform, &self.uniform);
-        let (placed, cell, which) = self.plant(draw, growth, rank)?;
+        let cell = ordered_cell(rank & ((1 << (2 * prepare.bits)) - 1), prepare.bits);
+        if cell.iter().any(|at| *at >= prepare.placement.cells) {
+            return None;
+        }
+        let [a, b, c, stretch] = numbers.thinning;
+        let place = (rank as f32 + 0.5) / (numbers.pieces[3] << (2 * prepare.bits)) as f32;
+        let middle = [0, 1].map(|axis: usize| draw.offset[axis] + (cell[axis] as f32 + 0.5) * prepare.placement.spacing);
+        let off = Vec2::new(middle[0] - numbers.eye[0], middle[1] - numbers.eye[2]).length();
+        let nearest = math::upper(off - 0.71 * prepare.placement.spacing, 0.0);
+        // Most candidates are too many wherever in their cell they stand.
+        if only_seen && place > blade::density([a, b, c], 1.0, nearest * stretch) {
+            return None;
+        }
+        let (placed, which) = self.plant(draw, growth, rank, cell)?;
         let random = |question: u32| placement::of_blade(&prepare.placement, draw.patch, cell, which, question);
         let [most_lean, most_curl, shortest, tuft] = numbers.stance;
         let local = [0, 1].map(|axis: usize| {
@@ -121,9 +130,7 @@ impl Blades<'_> {
         let to_eye = Vec3::new(numbers.eye[0], numbers.eye[1], numbers.eye[2]) - root;
         let away = to_eye.length();
         let normal = Vec3::new(-slope[0], 1.0, -slope[1]).normalize();
-        let [a, b, c, stretch] = numbers.thinning;
         let thin = blade::density([a, b, c], normal.dot(to_eye) / math::upper(away, 1e-3), away * stretch);
-        let place = (rank as f32 + 0.5) / (numbers.pieces[3] << (2 * prepare.bits)) as f32;
         // The last ones to be drawn are small: so nothing pops.
         let stay = math::clamped((thin - place) / math::upper(0.15 * thin, 1e-9), 0.0, 1.0);
         let tint = random(2);
@@ -169,8 +176,13 @@ impl Blades<'_> {
             let way = piece(piece_bend(&bends[..segments], &grown.stance, k, [pieces, coarse], morph), length);
             let floor = |at: Vec3| self.preparing.terrain.height(draw.anchor, [at.x, at.z]) + CLEARANCE;
             let there = at + way;
-            at += raised(way, floor(there) - at.y);
-            at.y = math::upper(at.y, floor(at));
+            let least = floor(there);
+            if there.y >= least {
+                at = there;
+            } else {
+                at += raised(way, least - at.y);
+                at.y = math::upper(at.y, floor(at));
+            }
             points[k as usize + 1] = at + shift;
         }
     }

@@ -14,6 +14,11 @@ use crate::gpu::Gpu;
 use crate::render::prepare::Shared;
 use crate::stopwatch::Stopwatch;
 
+/// The passes: finding blades, solving them, and solving them once more as they were in the picture before.
+const ENTRIES: [&str; 3] = ["blades_find", "blades_solve", "blades_then"];
+const FIND: usize = 0;
+const SOLVE: usize = 1;
+const THEN: usize = 2;
 /// Most workgroups along an axis of a dispatch.
 const MOST_GROUPS: u32 = 65535;
 
@@ -74,8 +79,11 @@ impl BladeBuffers {
 /// The pipelines.
 pub struct SolvePass {
     module: wgpu::ShaderModule,
-    /// For cells at full and at half precision: this picture's blades, and the same ones in the picture before. Made when first asked for.
-    solve: [[OnceLock<wgpu::ComputePipeline>; 2]; 2],
+    /// Of all passes that solve.
+    layout: wgpu::BindGroupLayout,
+    pipelines: wgpu::PipelineLayout,
+    /// Each of [`ENTRIES`], for cells at full and at half precision. Made when first asked for.
+    solve: [[OnceLock<wgpu::ComputePipeline>; 3]; 2],
     finish: wgpu::ComputePipeline,
 }
 
@@ -99,8 +107,14 @@ impl SolvePass {
                 .create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source: wgpu::ShaderSource::Wgsl(text.into()) })
         };
         let (solving, finishing) = (module("blades", assembled()), module("blades, counted", finish()));
-        let finish = pipeline(gpu, &finishing, "blades_finish", &[]);
-        Self { module: solving, solve: Default::default(), finish }
+        let finish = pipeline(gpu, None, &finishing, "blades_finish", &[]);
+        let layout = solving_layout(gpu);
+        let pipelines = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("blades"),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        Self { module: solving, layout, pipelines, solve: Default::default(), finish }
     }
 
     /// Solves what a picture shows of a stand.
@@ -117,15 +131,19 @@ impl SolvePass {
         buffers.reserve(gpu, &plan.uniform);
         let Some([records, found, arguments]) = &buffers.filled else { return };
         encoder.clear_buffer(found, 0, None);
-        if plan.workgroups > 0 {
-            let timing = stopwatch.and_then(|stopwatch| stopwatch.compute("blades"));
-            self.dispatch(gpu, encoder, shared, of, (plan, 0, plan.workgroups), [records, found], timing);
+        let rooms: u32 = plan.uniform.rooms[..LEVELS].iter().sum();
+        let mut stopwatch = stopwatch;
+        for (entry, workgroups) in [(FIND, plan.workgroups), (SOLVE, rooms.div_ceil(GROUP))] {
+            if plan.workgroups > 0 {
+                let timing = stopwatch.as_mut().and_then(|stopwatch| stopwatch.compute(ENTRIES[entry]));
+                self.dispatch(gpu, encoder, shared, of, (plan, entry, workgroups), [records, found], timing);
+            }
         }
         let pieces = [0, 1, 2].map(|level: usize| plan.uniform.pieces[level]);
         let [near, middle, far] = pieces.map(|pieces| 3 * (2 * pieces - 1) * BLADES_PER_INSTANCE);
         let [a, b, c, _] = plan.uniform.rooms;
         let counts = gpu.filled("blades", bytemuck::cast_slice(&[a, b, c, 0, near, middle, far, 0]), wgpu::BufferUsages::UNIFORM);
-        let group = group(gpu, &self.finish, &[(0, found), (1, arguments), (2, &counts)], None);
+        let group = group(gpu, &self.finish.get_bind_group_layout(0), &[(0, found), (1, arguments), (2, &counts)], None);
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("blades, counted"), timestamp_writes: None });
         pass.set_pipeline(&self.finish);
         pass.set_bind_group(0, &group, &[]);
@@ -145,7 +163,7 @@ impl SolvePass {
         let Some([records, found, _]) = &buffers.filled else { return };
         let rooms: u32 = then.uniform.rooms[..LEVELS].iter().sum();
         if rooms > 0 && !then.draws.is_empty() {
-            self.dispatch(gpu, encoder, shared, of, (then, 1, rooms.div_ceil(GROUP)), [records, found], None);
+            self.dispatch(gpu, encoder, shared, of, (then, THEN, rooms.div_ceil(GROUP)), [records, found], None);
         }
     }
 
@@ -160,8 +178,8 @@ impl SolvePass {
         timing: Option<wgpu::ComputePassTimestampWrites<'_>>,
     ) {
         let half = usize::from(of.cells.precision == Precision::Half);
-        let entry = ["blades_pass", "blades_then_pass"][which];
-        let pipeline = self.solve[half][which].get_or_init(|| pipeline(gpu, &self.module, entry, &[("half_precision", half as f64)]));
+        let make = || pipeline(gpu, Some(&self.pipelines), &self.module, ENTRIES[which], &[("half_precision", half as f64)]);
+        let pipeline = self.solve[half][which].get_or_init(make);
         let wind = of.wind.block(of.prepare.placement.cells / NODE_CELLS);
         let prepare = gpu.filled("prepare", bytemuck::bytes_of(&of.prepare), wgpu::BufferUsages::UNIFORM);
         let wind = gpu.filled("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
@@ -181,7 +199,7 @@ impl SolvePass {
             (9, &cells.old),
             (11, &numbers),
         ];
-        let group = group(gpu, pipeline, &bound, Some((10, of.growth)));
+        let group = group(gpu, &self.layout, &bound, Some((10, of.growth)));
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("blades"), timestamp_writes: timing });
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &group, &[]);
@@ -190,10 +208,33 @@ impl SolvePass {
     }
 }
 
-fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &str, constants: &[(&str, f64)]) -> wgpu::ComputePipeline {
+/// The bindings of [`assembled`]: passes that use few of them take the same groups as those that use all.
+fn solving_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
+    let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+    let kind = |binding: u32| match binding {
+        0 | 1 | 11 => buffer(wgpu::BufferBindingType::Uniform),
+        10 => wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Uint,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+        _ => buffer(wgpu::BufferBindingType::Storage { read_only: !matches!(binding, 7 | 8) }),
+    };
+    let entry = |binding| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty: kind(binding), count: None };
+    let entries: Vec<_> = (0..12).map(entry).collect();
+    gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("blades"), entries: &entries })
+}
+
+fn pipeline(
+    gpu: &Gpu,
+    layout: Option<&wgpu::PipelineLayout>,
+    module: &wgpu::ShaderModule,
+    entry: &str,
+    constants: &[(&str, f64)],
+) -> wgpu::ComputePipeline {
     gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some(entry),
-        layout: None,
+        layout,
         module,
         entry_point: Some(entry),
         compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
@@ -203,7 +244,7 @@ fn pipeline(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &str, constants: &[(&
 
 fn group(
     gpu: &Gpu,
-    pipeline: &wgpu::ComputePipeline,
+    layout: &wgpu::BindGroupLayout,
     buffers: &[(u32, &wgpu::Buffer)],
     texture: Option<(u32, &wgpu::TextureView)>,
 ) -> wgpu::BindGroup {
@@ -213,9 +254,5 @@ fn group(
     if let Some((binding, view)) = texture {
         entries.push(wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) });
     }
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("blades"),
-        layout: &pipeline.get_bind_group_layout(0),
-        entries: &entries,
-    })
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("blades"), layout, entries: &entries })
 }

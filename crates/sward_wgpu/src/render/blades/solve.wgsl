@@ -62,6 +62,13 @@ fn blades_grown(which: u32, rank: u32, only_seen: bool) -> Grown {
     if any(cell >= vec2<u32>(prepare.placement.cells)) {
         return grown;
     }
+    let place = (f32(rank) + 0.5) / f32(blades.pieces.w << (2u * prepare.bits));
+    let middle = draw.offset + (vec2<f32>(cell) + 0.5) * prepare.placement.spacing;
+    let nearest = max(distance(middle, blades.eye.xz) - 0.71 * prepare.placement.spacing, 0.0);
+    // Most candidates are too many wherever in their cell they stand.
+    if only_seen && place > blade_density(blades.thinning.xyz, 1.0, nearest * blades.thinning.w) {
+        return grown;
+    }
     var placed = placement_plant(prepare.placement, draw.patch_index, cell);
     if draw.growth != NONE {
         placed = placement_grown(placed, growth_at(draw.growth, cell));
@@ -82,7 +89,6 @@ fn blades_grown(which: u32, rank: u32, only_seen: bool) -> Grown {
     let away = length(to_eye);
     let normal = normalize(vec3<f32>(-ground.y, 1.0, -ground.z));
     let thin = blade_density(blades.thinning.xyz, dot(normal, to_eye) / max(away, 1e-3), away * blades.thinning.w);
-    let place = (f32(rank) + 0.5) / f32(blades.pieces.w << (2u * prepare.bits));
     // The last ones to be drawn are small: so nothing pops.
     let stay = clamp((thin - place) / max(0.15 * thin, 1e-9), 0.0, 1.0);
     let tint = chance[2];
@@ -127,8 +133,12 @@ fn blades_bend(grown: Grown, level: u32, first: u32) {
         let way = billboard_segment(blade_piece_bend(&bends, prepare.segments, grown.stance, k, pieces, coarse, morph), length_);
         let there = at + way;
         let floor_ = terrain_height(prepare.grid, draw.anchor, there.xz) + BILLBOARD_CLEARANCE;
-        at += blade_raised(way, floor_ - at.y);
-        at.y = max(at.y, terrain_height(prepare.grid, draw.anchor, at.xz) + BILLBOARD_CLEARANCE);
+        if there.y >= floor_ {
+            at = there;
+        } else {
+            at += blade_raised(way, floor_ - at.y);
+            at.y = max(at.y, terrain_height(prepare.grid, draw.anchor, at.xz) + BILLBOARD_CLEARANCE);
+        }
         records[first + k + 1u] = bitcast<vec4<u32>>(vec4<f32>(at + shift, 0.0));
     }
 }
