@@ -211,16 +211,18 @@ impl Strips {
             let corners = self.corners(self.points_of(index as usize), blade, Some(sight));
             let pattern = patchwork(sight.pattern(blade.root.into()));
             let clips = corners.map(|corner| sight.clip(corner.place));
+            let mut airs = [None; CORNERS];
             for three in triangles(self.pieces()) {
                 clipped(three.map(|corner| clips[corner]), sight.pixels(), |triangle| {
                     let own = three.map(|corner| corners[corner]);
-                    tile.draw(triangle, |quad| self.shade(sight, blade, pattern, quad, &own));
+                    let air = three.map(|corner| *airs[corner].get_or_insert_with(|| air(sight, corners[corner].place)));
+                    tile.draw(triangle, |quad| self.shade(sight, blade, pattern, quad, &own, &air));
                 });
             }
         }
     }
 
-    fn shade(&self, sight: &Sight<'_>, grown: &Blade, pattern: Vec3, quad: &Quad, corners: &[Corner; 3]) -> Shaded {
+    fn shade(&self, sight: &Sight<'_>, grown: &Blade, pattern: Vec3, quad: &Quad, corners: &[Corner; 3], air: &[Vec4; 3]) -> Shaded {
         let mut shaded = Shaded::default();
         for lane in (0..4).filter(|lane| quad.lane(*lane)) {
             let weights = quad.weights[lane];
@@ -246,8 +248,7 @@ impl Strips {
             };
             let lit = sight.shadows.lit(shadows::place(&sight.frame, place, 0.10), 2.2, MEAN_LIT);
             let colour = blade(&self.style, &spot, view, distance, &sight.light, lit);
-            let clear = sight.clear(distance);
-            let air = (sight.air(-view) * (1.0 - clear)).extend(clear);
+            let air = air[0] * weights.x + air[1] * weights.y + air[2] * weights.z;
             shaded.colours[lane] = air.xyz() + colour * air.w;
         }
         shaded
@@ -270,6 +271,13 @@ impl Strips {
             }
         }
     }
+}
+
+/// Light the air adds to what is seen at a place, and what it leaves of it.
+fn air(sight: &Sight<'_>, place: Vec3) -> Vec4 {
+    let away = place - sight.eye;
+    let clear = sight.clear(away.length());
+    (sight.air(away.normalize_or(Vec3::NEG_Z)) * (1.0 - clear)).extend(clear)
 }
 
 /// Blades looked at together.

@@ -35,4 +35,4 @@ mod tile;
 mod trace;
 mod triangle;
 
-pub use studio::Studio;
+pub use studio::{Studio, Thinning};

@@ -35,6 +35,22 @@ use crate::tile::{SIDE, Tile};
 /// Largest side of a picture, pixels.
 const LARGEST_SIDE: u32 = 16384;
 
+/// How blades thin out in a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thinning {
+    /// As seen from here, m from the corner of the scene's origin patch.
+    pub eye: [f64; 3],
+    /// Share of the blades drawn that are on their way in or out, above 0: a picture's own is [`sward::picture::blade_plan::BAND`].
+    pub band: f32,
+}
+
+impl Thinning {
+    fn within(self, frame: &Frame) -> ([f32; 4], f32) {
+        let [x, y, z] = self.eye;
+        ([(x - frame.corner[0]) as f32, y as f32, (z - frame.corner[1]) as f32, 0.0], self.band)
+    }
+}
+
 /// Draws a world.
 pub struct Studio {
     pub(crate) looks: Vec<Look>,
@@ -69,16 +85,25 @@ impl Studio {
 
     /// Draws the moment `behind` steps (0 to 1) before the state: see [`World::behind`].
     pub fn draw_before(&self, world: &World, behind: f64, size: [u32; 2]) -> Picture {
-        let moment = self.moment(world, behind, size);
-        let shadows = self.shadow_map(&moment);
+        self.finish(world, &self.moment(world, behind, size, None))
+    }
+
+    /// Draws the world with its blades thinned out as `thinning` says: how little it changes the picture is how little pops when a camera
+    /// moves.
+    pub fn draw_thinned(&self, world: &World, thinning: Thinning, size: [u32; 2]) -> Picture {
+        self.finish(world, &self.moment(world, 0.0, size, Some(thinning)))
+    }
+
+    fn finish(&self, world: &World, moment: &Moment) -> Picture {
+        let shadows = self.shadow_map(moment);
         let sight = Sight::new(moment.uniform, moment.size, &shadows);
-        self.paint(&sight, &self.layout(&sight, &moment, world), &moment)
+        self.paint(&sight, &self.layout(&sight, moment, world), moment)
     }
 
     /// Draws the moment `behind` steps (0 to 1) before the state, and beside the picture depth, motion and plant of each pixel. Motion
     /// leads to `past`: the moment of the picture before, or that of this one, and it is 0.
     pub fn draw_aov(&self, world: &World, past: &Past, behind: f64, size: [u32; 2]) -> (Picture, Aov) {
-        let moment = self.moment(world, behind, size);
+        let moment = self.moment(world, behind, size, None);
         let shadows = self.shadow_map(&moment);
         let sight = Sight::new(moment.uniform, moment.size, &shadows);
         let layout = self.layout(&sight, &moment, world);
@@ -87,7 +112,7 @@ impl Studio {
     }
 
     /// Everything of a picture but light and shadow.
-    fn moment(&self, world: &World, behind: f64, size: [u32; 2]) -> Moment {
+    fn moment(&self, world: &World, behind: f64, size: [u32; 2], thinning: Option<Thinning>) -> Moment {
         let size = size.map(|side| side.clamp(1, LARGEST_SIDE));
         let behind = behind.clamp(0.0, 1.0);
         let view = world.camera_before(behind);
@@ -99,7 +124,7 @@ impl Studio {
         let growth = input.growth;
         let seen = Seen { view: &view, origin, fullness: 1.0, behind };
         let (plans, batches) = self.prepare(world, &seen);
-        let (blade_plans, strips) = self.grow(world, &seen, &uniform);
+        let (blade_plans, strips) = self.grow(world, &seen, &uniform, thinning.map(|thinning| thinning.within(&frame)));
         let moved: Vec<Option<Mesh>> = (0..self.mesh_of.len()).map(|body| subject::moved(world, body, behind)).collect();
         let bodies = Bodies::new(&self.posed(&moved), &draws);
         Moment { size, frame, origin, uniform, camera, growth, plans, batches, blade_plans, strips, draws, moved, bodies }
@@ -142,9 +167,19 @@ impl Studio {
     }
 
     /// The blades of all stands of them, and what was decided of each.
-    fn grow(&self, world: &World, seen: &Seen, frame: &FrameUniform) -> (Vec<(usize, BladePlan)>, Vec<[Strips; LEVELS]>) {
+    fn grow(
+        &self,
+        world: &World,
+        seen: &Seen,
+        frame: &FrameUniform,
+        thinning: Option<([f32; 4], f32)>,
+    ) -> (Vec<(usize, BladePlan)>, Vec<[Strips; LEVELS]>) {
         let plans = blade_plan::plan(world, seen, &self.looks, &frame.view_projection, false).into_iter().enumerate();
-        let plans: Vec<(usize, BladePlan)> = plans.filter_map(|(stand, plan)| Some((stand, plan?))).collect();
+        let mut plans: Vec<(usize, BladePlan)> = plans.filter_map(|(stand, plan)| Some((stand, plan?))).collect();
+        for (_, plan) in &mut plans {
+            let numbers = &mut plan.uniform;
+            (numbers.eye, numbers.shape[2]) = thinning.unwrap_or((numbers.eye, numbers.shape[2]));
+        }
         let solve = |(index, plan): &(usize, BladePlan)| {
             let stand = &world.model.stands[*index];
             let prepare = PrepareUniform::new(world, stand, false, seen, &self.looks[*index]);

@@ -12,13 +12,13 @@ mod reprojection;
 #[path = "support/verdicts.rs"]
 mod verdicts;
 
-use reprojection::{CAR_PASS, FRAMES, Pair, SIZE, world};
+use reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, world};
 use sward::picture::past::Past;
 use sward::world::World;
 use sward_raster::Studio;
 
-fn pair() -> Pair {
-    let mut moving = world(CAR_PASS);
+fn pair(text: &str) -> Pair {
+    let mut moving = world(text);
     let studio = Studio::new(&moving);
     let mut drawn = FRAMES.map(|(step, behind)| {
         (moving.state.step..step).for_each(|_| moving.step());
@@ -34,7 +34,12 @@ fn pair() -> Pair {
 
 #[test]
 fn a_car_pass_is_followed() {
-    verdicts::car_pass(&pair()).expect("the pass is followed");
+    verdicts::car_pass(&pair(CAR_PASS)).expect("the pass is followed");
+}
+
+#[test]
+fn blades_are_followed() {
+    verdicts::blade_pass(&pair(&blade_pass())).expect("the pass is followed");
 }
 
 #[test]

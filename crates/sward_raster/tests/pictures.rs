@@ -1,9 +1,10 @@
 //! Pictures do not depend on threads; odd worlds and sizes are drawn without complaint.
 
 use sward::model::NoAssets;
+use sward::picture::blade_plan::BAND;
 use sward::scene::Scene;
 use sward::world::World;
-use sward_raster::Studio;
+use sward_raster::{Studio, Thinning};
 
 const SCENE: &str = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32), (species: Lawn, cells: 32)],
     wind: [Natural(velocity: (3.0, 1.0))], budget: (patches: 25, focus_distance: 12.0, lag_distance: 12.0),
@@ -21,6 +22,33 @@ fn hash(world: &World, threads: usize) -> u64 {
     let picture = pool.install(|| Studio::new(world).draw(world, [150, 100]));
     assert_eq!([picture.width, picture.height, picture.rgba8.len() as u32], [150, 100, 60_000]);
     picture.rgba8.iter().fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// The same camera, blades thinned out for it and for one a centimetre on: hardly a pixel changes. Control: a metre on, as
+/// where densities are decided for whole patches. What a hard border does to single blades is tested in the core (`nothing_pops`).
+#[test]
+fn blades_do_not_pop() {
+    let world = world(
+        "(version: 1, stands: [(species: Meadow, representation: Blade())], wind: [Natural(velocity: (3, 1))],
+        camera: (eye: (0, 1.7, -8), target: (0, 0.5, 10)), budget: (patches: 9, focus_distance: 0))",
+        3,
+    );
+    let (studio, eye) = (Studio::new(&world), world.camera().eye);
+    let draw = |way: f64, band: f32| {
+        let thinning = Thinning { eye: [eye[0], eye[1], eye[2] + way], band };
+        studio.draw_thinned(&world, thinning, [640, 360]).rgba8
+    };
+    let changed = |band: f32, way: f64| {
+        let (here, there) = (draw(0.0, band), draw(way, band));
+        let pixels = here.chunks_exact(4).zip(there.chunks_exact(4));
+        let count = pixels.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 8)).count();
+        100.0 * count as f64 / (640.0 * 360.0)
+    };
+    let (own, hard, far) = (changed(BAND, 0.01), changed(1e-6, 0.01), changed(BAND, 1.0));
+    println!("{own:.4} % of the pixels change by more than 8 of 255; with a hard border {hard:.4} %; a metre on {far:.1} %");
+    assert!(own <= 0.1, "{own} % pop");
+    assert!(far > 1.0, "control: {far} %");
+    assert_eq!(draw(0.0, BAND), studio.draw(&world, [640, 360]).rgba8, "a picture's own thinning");
 }
 
 #[test]

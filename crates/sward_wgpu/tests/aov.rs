@@ -20,6 +20,8 @@ fn main() -> std::process::ExitCode {
     let tests: &[adapter::Test] = &[
         ("a_car_pass_is_followed", outputs::a_car_pass_is_followed),
         ("outputs_agree", outputs::outputs_agree),
+        ("blades_are_followed", outputs::blades_are_followed),
+        ("outputs_of_blades_agree", outputs::outputs_of_blades_agree),
         ("cells_of_the_gpu_are_remembered", outputs::cells_of_the_gpu_are_remembered),
         ("cells_may_change_their_place", outputs::cells_may_change_their_place),
         ("edited_ground_is_no_motion", outputs::edited_ground_is_no_motion),

@@ -15,6 +15,7 @@ fn main() -> std::process::ExitCode {
         ("detail", rastered::detail),
         ("paper", rastered::paper),
         ("endless", rastered::endless),
+        ("blades", rastered::blades),
     ];
     adapter::run(tests, |_, _| None)
 }

@@ -2,6 +2,10 @@
 
 #[path = "support/adapter.rs"]
 mod adapter;
+#[path = "support/blades.rs"]
+mod blades;
+#[path = "support/chains.rs"]
+mod chains;
 #[path = "support/continuum.rs"]
 mod continuum;
 #[path = "support/controls.rs"]
@@ -51,6 +55,12 @@ fn main() -> std::process::ExitCode {
         ("reliefs", shading::reliefs),
         ("relief_edits", shading::relief_edits),
         ("denser_fog_is_found", shading::denser_fog_is_found),
+        ("oscillations", chains::oscillations),
+        ("chain_steps", chains::steps),
+        ("chain_poses", chains::poses),
+        ("strips", blades::strips),
+        ("blades_lit", blades::lit),
+        ("blades_solved", blades::solved),
         ("plants_solved", prepared::plants_solved),
         ("plants_on_edited_ground", prepared::plants_on_edited_ground),
         ("road_and_rising_ground", scenes::road_and_rising_ground),

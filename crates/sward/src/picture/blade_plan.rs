@@ -20,10 +20,16 @@ pub const GROUP: u32 = 64;
 pub const BLADES_PER_INSTANCE: u32 = 64;
 /// The `vec4`s of a blade before its points.
 pub const HEAD: u32 = 3;
-/// Squares along a patch side that are counted apart.
-const SQUARES: usize = 8;
+/// Squares along a patch side that are counted apart, of patches near the eye and of others.
+const SQUARES: [usize; 2] = [16, 4];
+/// How near that is, m.
+const NEAR: f64 = 32.0;
 /// Room beyond what is expected: a square is counted at its middle.
-const MARGIN: f64 = 1.15;
+const MARGIN: f64 = 1.2;
+/// Around a root, beyond the height of its blade, m: what is a little out of sight may still cast a shadow.
+pub const AROUND: f32 = 0.5;
+/// Share of the blades drawn that are on their way in or out: so nothing pops.
+pub const BAND: f32 = 0.25;
 /// Blades there is room for in any case.
 const SPARE: f64 = 256.0;
 /// Farthest that distances are stretched to keep within the budget.
@@ -49,7 +55,7 @@ pub struct BladeUniform {
     pub rooms: [u32; 4],
     /// Where the records of each number of pieces begin, `vec4`s; whether they hold a second set of points.
     pub firsts: [u32; 4],
-    /// Widest, m; most twist, rad; unused.
+    /// Widest, m; most twist, rad; share of the blades drawn that are on their way in or out; unused.
     pub shape: [f32; 4],
 }
 
@@ -100,7 +106,7 @@ fn uniform(blade: &Blade, seen: &Mat4, eye: Vec3, look: &Look) -> BladeUniform {
         pieces: [blade.pieces[0], blade.pieces[1], blade.pieces[2], blade.blades],
         rooms: [0; 4],
         firsts: [0; 4],
-        shape: [blade.width, blade.twist, 0.0, 0.0],
+        shape: [blade.width, blade.twist, BAND, 0.0],
     }
 }
 
@@ -117,24 +123,27 @@ struct Square {
 /// The squares in sight of a stand's patches.
 fn squares(world: &World, stand: &StandModel, list: &[Sighted], origin: [i32; 2], numbers: &BladeUniform) -> Vec<Square> {
     let side = world.model.patch_side;
-    let square = side / SQUARES as f64;
     let origin = origin.map(|patch| f64::from(patch) * side);
-    let candidates =
-        f64::from(stand.cells * stand.cells * numbers.pieces[3]) * f64::from(stand.placement.cover) / (SQUARES * SQUARES) as f64;
-    let radius = 0.71 * square as f32 + stand.species.height[1];
+    // Clumps leave half of what they may.
+    let cover = f64::from(stand.placement.cover * (1.0 - 0.5 * stand.placement.clumping));
+    let all = f64::from(stand.cells * stand.cells * numbers.pieces[3]) * cover;
     let mut found = Vec::new();
-    for (patch, k) in list.iter().flat_map(|sighted| (0..SQUARES * SQUARES).map(|k| (sighted.patch, k))) {
-        let at = [0, 1].map(|axis| {
-            let along = if axis == 0 { k % SQUARES } else { k / SQUARES };
-            f64::from(patch[axis]) * side + (along as f64 + 0.5) * square
-        });
-        let (ground, [x, z]) = world.model.terrain.height_and_gradient_at(at[0], at[1]);
-        let centre = Vec3::new((at[0] - origin[0]) as f32, ground as f32, (at[1] - origin[1]) as f32);
-        let to_eye = Vec3::new(numbers.eye[0], numbers.eye[1], numbers.eye[2]) - centre;
-        let away = to_eye.length();
-        if away - radius < numbers.distances[3] && !unseen(&numbers.seen, centre, radius) {
-            let normal = Vec3::new(-x as f32, 1.0, -z as f32).normalize();
-            found.push(Square { facing: normal.dot(to_eye) / away.max(1e-3), away, candidates });
+    for sighted in list {
+        let count = SQUARES[usize::from(sighted.distance > NEAR)];
+        let square = side / count as f64;
+        let radius = 0.35 * square as f32 + stand.species.height[1] + AROUND;
+        for k in 0..count * count {
+            let at = [(0, k % count), (1, k / count)]
+                .map(|(axis, along): (usize, usize)| f64::from(sighted.patch[axis]) * side + (along as f64 + 0.5) * square);
+            let (ground, [x, z]) = world.model.terrain.height_and_gradient_at(at[0], at[1]);
+            let centre = Vec3::new((at[0] - origin[0]) as f32, ground as f32, (at[1] - origin[1]) as f32);
+            let to_eye = Vec3::new(numbers.eye[0], numbers.eye[1], numbers.eye[2]) - centre;
+            let away = to_eye.length();
+            if away - radius < numbers.distances[3] && !unseen(&numbers.seen, centre, radius) {
+                let normal = Vec3::new(-x as f32, 1.0, -z as f32).normalize();
+                let candidates = all / (count * count) as f64;
+                found.push(Square { facing: normal.dot(to_eye) / away.max(1e-3), away, candidates });
+            }
         }
     }
     found

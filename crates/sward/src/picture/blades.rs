@@ -5,7 +5,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 
-use super::blade_plan::{BladeUniform, level, unseen};
+use super::blade_plan::{AROUND, BladeUniform, level, unseen};
 use super::plan::PatchDraw;
 use super::prepare::{Preparing, ordered_cell};
 use crate::geometry::billboard::CLEARANCE;
@@ -132,12 +132,12 @@ impl Blades<'_> {
         let normal = Vec3::new(-slope[0], 1.0, -slope[1]).normalize();
         let thin = blade::density([a, b, c], normal.dot(to_eye) / math::upper(away, 1e-3), away * stretch);
         // The last ones to be drawn are small: so nothing pops.
-        let stay = math::clamped((thin - place) / math::upper(0.15 * thin, 1e-9), 0.0, 1.0);
+        let stay = math::clamped((thin - place) / math::upper(numbers.shape[2] * thin, 1e-9), 0.0, 1.0);
         let tint = random(2);
         let [_, _, fade, gone] = numbers.distances;
         let left = 1.0 - math::smoothstep(fade, gone, away + (tint - 0.5) * 0.3 * (gone - fade));
-        let height = placed.height * (shortest + (1.0 - shortest) * random(3)) * (0.35 + 0.65 * stay) * (0.15 + 0.85 * left);
-        if only_seen && (stay <= 0.0 || left <= 0.0 || unseen(&numbers.seen, root, height + 0.5)) {
+        let height = placed.height * (shortest + (1.0 - shortest) * random(3)) * (0.15 + 0.85 * left);
+        if only_seen && (stay <= 0.0 || left <= 0.0 || unseen(&numbers.seen, root, height + AROUND)) {
             return None;
         }
         let yaw = random(4) * std::f32::consts::TAU;

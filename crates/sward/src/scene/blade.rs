@@ -10,17 +10,17 @@ parameters_with_overrides! {
         /// Segments from root to tip that move: how smoothly a blade bends.
         segments: u32 = 4, "" in 1..=8;
         /// Blades of a plant.
-        blades: u32 = 8, "" in 1..=64;
+        blades: u32 = 32, "" in 1..=64;
         /// How near the blades of a plant stand to its root: 0 anywhere in its cell, 1 all at the root.
-        tuft: f32 = 0.35, "" in 0.0..=1.0;
+        tuft: f32 = 0.25, "" in 0.0..=1.0;
         /// Height of the shortest blade of a plant, as a share of the plant's.
         shortest: f32 = 0.5, "" in 0.05..=1.0;
         /// Width at the widest.
-        width: f32 = 0.008, "m" in 0.0005..=0.2;
+        width: f32 = 0.009, "m" in 0.0005..=0.2;
         /// Lean of a blade at its root, at most.
         lean: f32 = 0.35, "rad" in 0.0..=1.2;
         /// How much farther the tip of a blade leans by itself, at most.
-        curl: f32 = 0.9, "rad" in 0.0..=2.0;
+        curl: f32 = 1.0, "rad" in 0.0..=2.0;
         /// Turn about its own length from root to tip, at most.
         twist: f32 = 0.9, "rad" in 0.0..=6.3;
         /// Pieces of a strip near the camera, farther off, and far away.
@@ -28,7 +28,7 @@ parameters_with_overrides! {
         /// Distances from the camera at which the second and the third number of pieces begin.
         piece_distances: [f32; 2] = [10.0, 30.0], "m" in 1.0..=1000.0;
         /// How blades thin out at distance d: seen from above, the share 1 / (a + b d + c d²) of them is drawn, 1 at most.
-        thinning: [f32; 3] = [0.25, 0.012, 0.0006], "" in 0.0..=100.0;
+        thinning: [f32; 3] = [0.15, 0.006, 0.0012], "" in 0.0..=100.0;
         /// Colour at the root.
         colour_root: [f32; 3] = [0.030, 0.050, 0.015], "" in 0.0..=1.0;
         /// Colour at the tip.

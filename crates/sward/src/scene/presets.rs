@@ -92,10 +92,10 @@ impl Species {
     pub fn blade(&self) -> Blade {
         let Billboard { segments, colour_root, colour_tip, dryness, .. } = self.billboard();
         let (blades, tuft, width, lean, curl) = match self {
-            Self::Lawn => (12, 0.0, 0.003, 0.45, 0.8),
-            Self::Meadow => (8, 0.35, 0.007, 0.35, 1.0),
-            Self::Reed => (6, 0.25, 0.018, 0.16, 0.9),
-            Self::Tussock => (20, 0.75, 0.004, 0.65, 0.9),
+            Self::Lawn => (64, 0.0, 0.006, 0.5, 0.7),
+            Self::Meadow => (32, 0.25, 0.009, 0.35, 1.0),
+            Self::Reed => (14, 0.2, 0.020, 0.14, 0.9),
+            Self::Tussock => (40, 0.75, 0.006, 0.65, 0.9),
         };
         let segments = segments.max(2);
         Blade { segments, blades, tuft, width, lean, curl, colour_root, colour_tip, dryness, ..Blade::default() }

@@ -133,7 +133,7 @@ fn blades(blade: &Blade, trail: &Trail) -> Checked {
     }
     if blade.thinning.iter().all(|term| *term == 0.0) {
         let message = "all of `thinning` is 0";
-        return Err(Problem::at(trail.clone().key("thinning"), message).help("(0.25, 0.012, 0.0006)"));
+        return Err(Problem::at(trail.clone().key("thinning"), message).help("(0.15, 0.006, 0.0012)"));
     }
     Ok(())
 }

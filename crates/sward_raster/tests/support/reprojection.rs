@@ -23,6 +23,11 @@ pub(crate) const CAR_PASS: &str = r#"(version: 1, field: (patch_side: 16),
         field_of_view: 0.75),
     budget: (patches: 25, focus_distance: 20, lag_distance: 20))"#;
 
+/// The same pass through blades.
+pub(crate) fn blade_pass() -> String {
+    CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Blade(blades: 12, width: 0.02),")
+}
+
 /// Size of the pictures, pixels.
 pub(crate) const SIZE: [u32; 2] = [320, 180];
 /// The two frames, of 24 a second: whole steps, and how far before that the frame lies.

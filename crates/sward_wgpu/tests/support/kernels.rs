@@ -92,8 +92,8 @@ pub(crate) struct Twin<'a, C: Fn(u32, &mut Vec<u32>) -> Vec<u32>> {
 }
 
 /// Bits of some numbers.
-pub(crate) fn bits<const N: usize>(values: [f32; N]) -> Vec<u32> {
-    values.map(f32::to_bits).to_vec()
+pub(crate) fn bits(values: impl IntoIterator<Item = f32>) -> Vec<u32> {
+    values.into_iter().map(f32::to_bits).collect()
 }
 
 const ENTRY: &str = "

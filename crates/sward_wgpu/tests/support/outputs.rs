@@ -11,12 +11,16 @@ use sward_wgpu::studio::{CellsAt, Studio};
 
 use crate::adapter::{Verdict, ensure};
 use crate::edited;
-use crate::reprojection::{CAR_PASS, FRAMES, Pair, SIZE, world};
+use crate::reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, world};
 use crate::verdicts;
 
 /// The worlds of both frames, stepped on the CPU.
 fn worlds() -> [World; 2] {
-    let mut moving = world(CAR_PASS);
+    worlds_of(CAR_PASS)
+}
+
+fn worlds_of(text: &str) -> [World; 2] {
+    let mut moving = world(text);
     FRAMES.map(|(step, _)| {
         (moving.state.step..step).for_each(|_| moving.step());
         moving.clone()
@@ -34,6 +38,25 @@ pub(crate) fn a_car_pass_is_followed(gpu: &Gpu) -> Verdict {
     let worlds = worlds();
     let frames = on_gpu(gpu, &worlds)?;
     Ok(verdicts::car_pass(&Pair::new(worlds, frames))?)
+}
+
+pub(crate) fn blades_are_followed(gpu: &Gpu) -> Verdict {
+    let worlds = worlds_of(&blade_pass());
+    let frames = on_gpu(gpu, &worlds)?;
+    Ok(verdicts::blade_pass(&Pair::new(worlds, frames))?)
+}
+
+/// Controls: the frame before.
+pub(crate) fn outputs_of_blades_agree(gpu: &Gpu) -> Verdict {
+    let worlds = worlds_of(&blade_pass());
+    let theirs = on_gpu(gpu, &worlds)?;
+    let studio = sward_raster::Studio::new(&worlds[0]);
+    let first = Past::of(&worlds[0], FRAMES[0].1);
+    let ours = [0, 1].map(|k| studio.draw_aov(&worlds[k], &first, FRAMES[k].1, SIZE).1);
+    for k in 0..2 {
+        agree(&format!("blades, frame {k}"), &ours[k], &theirs[k])?;
+    }
+    ensure(agree("control: the frame before", &ours[0], &theirs[1]).is_err(), || "the frame before looks the same".to_owned())
 }
 
 /// What a GPU may make of no motion, pixels: its two projections of one point are rounded apart.

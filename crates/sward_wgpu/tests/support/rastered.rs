@@ -100,3 +100,11 @@ pub(crate) fn detail(gpu: &Gpu) -> Verdict {
         scene.detail = Some(sward::scene::Detail { amplitude: 0.3, wavelength: 6.0, ..Default::default() });
     })
 }
+
+/// Blades and billboards in one picture.
+pub(crate) fn blades(gpu: &Gpu) -> Verdict {
+    same_changed(gpu, "hello", 6.2, |scene| {
+        scene.stands[0].representation = Some(sward::scene::Representation::Blade(Default::default()));
+        scene.budget.visible_blades = 60_000;
+    })
+}

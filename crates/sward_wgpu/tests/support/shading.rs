@@ -1,7 +1,7 @@
 //! Twins of everything that shades, of cards and of the ground in frame space.
 
 use glam::{Vec2, Vec3};
-use sward::geometry::{card, relief};
+use sward::geometry::{billboard, blade, card, relief};
 use sward::math;
 use sward::shading::look::{Look, Style, Turf};
 use sward::shading::sky::Light;
@@ -29,19 +29,19 @@ fn next_light() -> ShadingLight {
 /// GPUs reckon `pow`, `exp` and `log2` to some 1e-6 of the result, and what follows from them to a few times that.
 const FEW_ROUNDINGS: Tolerance = Tolerance { p999: 2e-5, rms: 4e-6, outlier: 1e-4, share: 1e-4 };
 
-fn vector(random: &mut Random, low: f32, high: f32) -> Vec3 {
+pub(crate) fn vector(random: &mut Random, low: f32, high: f32) -> Vec3 {
     Vec3::new(random.float(low, high), random.float(low, high), random.float(low, high))
 }
 
 /// A unit vector whose height is at least `lowest`.
-fn direction(random: &mut Random, lowest: f32) -> Vec3 {
+pub(crate) fn direction(random: &mut Random, lowest: f32) -> Vec3 {
     let (up, turn) = (random.drawn(lowest, 1.0), random.drawn(0.0, std::f32::consts::TAU));
     let level = (1.0 - up * up).max(0.0).sqrt();
     let unit = Vec3::new(level * turn.cos(), up, level * turn.sin());
     unit.to_array().map(|value| random.put(value)).into()
 }
 
-fn light(random: &mut Random) -> Light {
+pub(crate) fn light(random: &mut Random) -> Light {
     Light {
         sun: direction(random, 0.05),
         sun_colour: vector(random, 0.0, 20.0),
@@ -51,7 +51,7 @@ fn light(random: &mut Random) -> Light {
 }
 
 /// Compares one function; `host` is its `fn twin()`.
-fn check(gpu: &Gpu, name: &str, host: &str, by: By, rust: impl Fn(&mut Random) -> Vec<f32>) -> Verdict {
+pub(crate) fn check(gpu: &Gpu, name: &str, host: &str, by: By, rust: impl Fn(&mut Random) -> Vec<f32>) -> Verdict {
     let host = [VECTORS, host].join("\n");
     let rust = |n: u32, input: &mut Vec<u32>| {
         let mut random = Random::new(n);
@@ -59,7 +59,7 @@ fn check(gpu: &Gpu, name: &str, host: &str, by: By, rust: impl Fn(&mut Random) -
         input.extend(random.words);
         answer.into_iter().map(f32::to_bits).collect()
     };
-    let library = &[&[math::WGSL, card::WGSL], &shading::WGSL[..]].concat();
+    let library = &[&[math::WGSL, card::WGSL, billboard::WGSL, blade::WGSL], &shading::WGSL[..]].concat();
     Twin { name, library, host: &host, tables: &[], rust }.check(gpu, by)
 }
 

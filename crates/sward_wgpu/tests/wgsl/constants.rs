@@ -2,7 +2,12 @@
 
 use std::path::Path;
 
-use sward::{geometry::billboard, picture::aov, response::continuum, state};
+use sward::{
+    geometry::billboard,
+    picture::aov,
+    response::{chain, continuum},
+    state,
+};
 use sward_wgpu::render::{self, shadow};
 
 use crate::libraries::{core_sources, wgsl_files};
@@ -43,6 +48,14 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("PLACEMENT_YAW", Source(PLACEMENT, "YAW")),
         ("PLACEMENT_TINT", Source(PLACEMENT, "TINT")),
         ("PLACEMENT_CLUMP", Source(PLACEMENT, "CLUMP")),
+        ("PLACEMENT_BLADE", Source(PLACEMENT, "BLADE")),
+        ("CHAIN_MOST_SEGMENTS", Value(chain::MOST_SEGMENTS as f64)),
+        ("CHAIN_BEND_LIMIT", Value(f64::from(chain::BEND_LIMIT))),
+        ("CHAIN_RATE_LIMIT", Value(f64::from(chain::RATE_LIMIT))),
+        ("CHAIN_LEAST_STIFFNESS", Source("response/chain/joint.rs", "LEAST_STIFFNESS")),
+        ("VIRTUAL_INERTIA_TURNS", Source("response/chain/virtual_inertia.rs", "TURNS")),
+        ("VIRTUAL_INERTIA_LEAST_SLOPE", Source("response/chain/virtual_inertia.rs", "LEAST_SLOPE")),
+        ("BLADE_FARTHEST", Source("geometry/blade.rs", "FARTHEST")),
         ("CONTINUUM_HALF_PI", Value(f64::from(continuum::HALF_PI))),
         ("CONTINUUM_RATE_LIMIT", Value(f64::from(continuum::RATE_LIMIT))),
         ("CONTINUUM_OVER_THE_TOP", Source(BEND, "OVER_THE_TOP")),

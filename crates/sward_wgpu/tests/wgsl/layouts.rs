@@ -5,9 +5,12 @@ use std::mem::offset_of;
 use sward::growth::{GrowthBlock, GrowthRecord};
 use sward::interaction::{Contact, ContactEdge};
 use sward::picture::aov::AovUniform;
+use sward::picture::blade_plan::BladeUniform;
+use sward::picture::blades::Blade;
 use sward::picture::frame::FrameUniform;
 use sward::placement::PlacementParameters;
 use sward::response::continuum::{Coefficients, LagCoefficients};
+use sward::shading::blade::BladeStyle;
 use sward::shading::look::{Style, Turf};
 use sward::terrain::{TerrainAnchor, TerrainDetail, TerrainGrid};
 use sward::wind::{Footprint, Octave, WindBlock};
@@ -139,6 +142,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         edit_size
     });
     let record = layout!(GrowthRecord { kind, first, count, rows, low, high, colour, share, half_width, soft, outside });
+    let blades = layout!(BladeUniform { seen, eye, stance, thinning, distances, pieces, rooms, firsts, shape });
     vec![
         ("GrowthRecord", text_of("ground"), record),
         ("GrowthBlock", text_of("ground"), layout!(GrowthBlock { count, first_edge, records })),
@@ -162,6 +166,9 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("Style", text_of("plants"), layout!(Style { root, tip, mean, shape })),
         ("ShadingTurf", text_of("ground"), layout!(Turf { root, tip, mean })),
         ("Frame", text_of("sky"), frame),
+        ("Blades", text_of("blades, solved"), blades),
+        ("Blade", text_of("blades, solved"), layout!(Blade { root, height, yaw, width, tint, twist, slope, draw, rank })),
+        ("BladeStyle", text_of("blades"), layout!(BladeStyle { root, tip, light, shape })),
         ("Aov", text_of("sky, outputs"), layout!(AovUniform { then, eye, size })),
     ]
 }

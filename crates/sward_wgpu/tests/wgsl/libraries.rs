@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use sward::geometry::{billboard, card, relief};
-use sward::response::continuum;
+use sward::geometry::{billboard, blade, card, relief};
+use sward::response::{chain, continuum, oscillation};
 use sward::{growth, interaction, math, placement, shading, terrain, wind};
 
 use crate::texts::validate;
@@ -31,7 +31,10 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("half", vec![math::WGSL, continuum::HALF_WGSL]),
         ("cells", vec![math::WGSL, continuum::HALF_WGSL, sward_wgpu::compute::CELLS_WGSL]),
         ("billboard", vec![math::WGSL, billboard::WGSL]),
+        ("oscillation", vec![math::WGSL, oscillation::WGSL]),
+        ("chain", [&[math::WGSL, oscillation::WGSL], &chain::WGSL[..]].concat()),
         ("card", vec![math::WGSL, card::WGSL]),
+        ("blade", vec![math::WGSL, billboard::WGSL, blade::WGSL]),
         ("relief", vec![RELIEF_STUB, relief::WGSL]),
         ("shading/common", vec![shading::COMMON_WGSL]),
         ("shading", [&[math::WGSL], &shading::WGSL[..]].concat()),

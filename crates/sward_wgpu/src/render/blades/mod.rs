@@ -3,7 +3,7 @@
 mod draw;
 mod solve;
 
-use sward::picture::blade_plan::{BLADES_PER_INSTANCE, GROUP, HEAD};
+use sward::picture::blade_plan::{AROUND, BLADES_PER_INSTANCE, GROUP, HEAD};
 
 pub(crate) use draw::{BladePass, Level, PARTS, ReadyBlades};
 pub use solve::{BladeBuffers, SolvePass, Solving};
@@ -20,7 +20,7 @@ pub struct BladeDraw<'a> {
 /// The constants of the shaders.
 pub fn constants() -> String {
     format!(
-        "const BLADE_HEAD: u32 = {HEAD}u;\nconst BLADE_GROUP: u32 = {GROUP}u;\nconst BLADES_PER_INSTANCE: u32 = {BLADES_PER_INSTANCE}u;\n"
+        "const BLADE_HEAD: u32 = {HEAD}u;\nconst BLADE_GROUP: u32 = {GROUP}u;\nconst BLADES_PER_INSTANCE: u32 = {BLADES_PER_INSTANCE}u;\nconst BLADE_AROUND: f32 = {AROUND:?};\n"
     )
 }
 

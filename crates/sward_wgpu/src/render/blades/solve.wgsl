@@ -10,7 +10,7 @@ struct Blades {
     pieces: vec4<u32>,    // numbers of pieces; blades of a plant
     rooms: vec4<u32>,     // blades there is room for, per number of pieces; patches
     firsts: vec4<u32>,    // first vec4 of the records of each; whether they hold a second set of points
-    shape: vec4<f32>,     // widest, most twist; zw unused
+    shape: vec4<f32>,     // widest, most twist, share of the blades drawn that are on their way in or out; w unused
 }
 
 struct Blade {
@@ -90,13 +90,13 @@ fn blades_grown(which: u32, rank: u32, only_seen: bool) -> Grown {
     let normal = normalize(vec3<f32>(-ground.y, 1.0, -ground.z));
     let thin = blade_density(blades.thinning.xyz, dot(normal, to_eye) / max(away, 1e-3), away * blades.thinning.w);
     // The last ones to be drawn are small: so nothing pops.
-    let stay = clamp((thin - place) / max(0.15 * thin, 1e-9), 0.0, 1.0);
+    let stay = clamp((thin - place) / max(blades.shape.z * thin, 1e-9), 0.0, 1.0);
     let tint = chance[2];
     let fade = blades.distances.z;
     let gone = blades.distances.w;
     let left = 1.0 - smoothstep(fade, gone, away + (tint - 0.5) * 0.3 * (gone - fade));
-    let height = placed.height * mix(blades.stance.z, 1.0, chance[3]) * (0.35 + 0.65 * stay) * (0.15 + 0.85 * left);
-    if only_seen && (stay <= 0.0 || left <= 0.0 || blades_unseen(root, height + 0.5)) {
+    let height = placed.height * mix(blades.stance.z, 1.0, chance[3]) * (0.15 + 0.85 * left);
+    if only_seen && (stay <= 0.0 || left <= 0.0 || blades_unseen(root, height + BLADE_AROUND)) {
         return grown;
     }
     let yaw = chance[4] * 6.2831855;
