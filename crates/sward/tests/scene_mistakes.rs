@@ -63,6 +63,27 @@ const STANDS: &[Mistake] = &[
     ),
 ];
 
+const BLADES: &[Mistake] = &[
+    (
+        "(version: 1, stands: [(species: Meadow, representation: Blade(\n pieces: (4, 7, 2)))])",
+        2,
+        10,
+        "`pieces` rise with distance: 4, 7, 2",
+        "(7, 4, 2)",
+    ),
+    (
+        "(version: 1, stands: [(species: Meadow, representation: Blade(\n piece_distances: (30, 10)))])",
+        2,
+        19,
+        "`piece_distances` run from 30 down to 10",
+        "(10, 30)",
+    ),
+    ("(version: 1, stands: [(species: Meadow, representation: Blade(\n thinning: (0, 0, 0)))])", 2, 12, "all of `thinning` is 0", "0.15"),
+    ("(version: 1, stands: [(species: Meadow, representation: Blade(\n blades: 65))])", 2, 10, "`blades` is 65, allowed 1 to 64", ""),
+    ("(version: 1, stands: [(species: Meadow, representation: Blade(\n sheen: 1))])", 2, 2, "`Blade` has no field `sheen`", "silhouette"),
+    ("(version: 1, stands: [(species: Meadow,\n representation: Blades()))])", 2, 18, "`Blades` is not known", "did you mean `Blade`?"),
+];
+
 const BODIES: &[Mistake] = &[
     ("(version: 1, terrain: Image(scale: 2,\n path: \"\"))", 2, 8, "`path` is empty", "PNG"),
     (
@@ -101,7 +122,7 @@ const BODIES: &[Mistake] = &[
 #[test]
 fn mistakes_are_explained_where_they_are() {
     let mut wrong = Vec::new();
-    for &(text, line, column, message, help) in [SYNTAX, RANGES, STANDS, BODIES].concat().iter() {
+    for &(text, line, column, message, help) in [SYNTAX, RANGES, STANDS, BLADES, BODIES].concat().iter() {
         let error = Scene::parse(text, "test.ron").expect_err(text);
         let advice = error.help.as_deref().unwrap_or("");
         let right = (error.line, error.column) == (line, column) && error.message.starts_with(message) && advice.contains(help);

@@ -157,7 +157,11 @@ pub(crate) struct Simulate {
 #[derive(Debug, Args)]
 pub(crate) struct Compare {
     /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
-    pub(crate) scene: String,
+    #[arg(required_unless_present = "reference")]
+    pub(crate) scene: Option<String>,
+    /// Instead of a scene: single blades of all species, as simplified chains and without a state, against the full chain
+    #[arg(long, conflicts_with_all = ["scene", "steps", "precision"])]
+    pub(crate) reference: bool,
     /// Steps to run
     #[arg(long, value_name = "N", default_value_t = 240, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
     pub(crate) steps: u32,

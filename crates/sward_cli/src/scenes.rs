@@ -40,6 +40,8 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "road" at 6.4;
     "paper" at 5.2;
     "endless" at 5.0;
+    "blades" at 5.0;
+    "grassland" at 4.0;
 };
 
 /// The files that come with sward.

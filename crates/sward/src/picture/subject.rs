@@ -178,7 +178,10 @@ fn look_of(species: &Species, stand: &StandModel) -> Look {
         None => (billboard.colour_root, billboard.colour_tip, billboard.dryness),
     };
     // Short plants are lost in the turf sooner.
-    let gone = (275.0 * stand.species.height[1]).clamp(35.0, 110.0);
+    let gone = match &stand.species.blade {
+        Some(blade) => blade.distance,
+        None => (275.0 * stand.species.height[1]).clamp(35.0, 110.0),
+    };
     Look { fade: [0.6 * gone, gone], root, tip, dryness, ..Look::of(kind) }
 }
 

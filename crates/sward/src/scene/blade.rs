@@ -29,6 +29,8 @@ parameters_with_overrides! {
         piece_distances: [f32; 2] = [10.0, 30.0], "m" in 1.0..=1000.0;
         /// How blades thin out at distance d: seen from above, the share 1 / (a + b d + c d²) of them is drawn, 1 at most.
         thinning: [f32; 3] = [0.15, 0.006, 0.0012], "" in 0.0..=100.0;
+        /// Distance from the camera at which the last blades are gone; they shrink from six tenths of it on.
+        distance: f32 = 110.0, "m" in 5.0..=1000.0;
         /// Colour at the root.
         colour_root: [f32; 3] = [0.030, 0.050, 0.015], "" in 0.0..=1.0;
         /// Colour at the tip.

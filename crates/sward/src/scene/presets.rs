@@ -97,8 +97,10 @@ impl Species {
             Self::Reed => (14, 0.2, 0.020, 0.14, 0.9),
             Self::Tussock => (40, 0.75, 0.006, 0.65, 0.9),
         };
+        // Short plants are lost in the turf sooner.
+        let distance = if matches!(self, Self::Lawn) { 40.0 } else { 110.0 };
         let segments = segments.max(2);
-        Blade { segments, blades, tuft, width, lean, curl, colour_root, colour_tip, dryness, ..Blade::default() }
+        Blade { segments, distance, blades, tuft, width, lean, curl, colour_root, colour_tip, dryness, ..Blade::default() }
     }
 
     /// How the species looks.

@@ -10,6 +10,7 @@ use sward_wgpu::gpu::Gpu;
 
 use crate::arguments;
 use crate::backend::Backend;
+use crate::commands::reference;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -58,7 +59,8 @@ struct Row {
 
 /// Runs both and prints the table.
 pub(crate) fn run(arguments: &arguments::Compare, console: &Console) -> Result<(), Failure> {
-    let opened = scenes::open(&arguments.scene)?;
+    let Some(scene) = &arguments.scene else { return reference::run(console) };
+    let opened = scenes::open(scene)?;
     let mut cpu = opened.world()?;
     let mut other = opened.world()?;
     if let Some(precision) = arguments.precision {

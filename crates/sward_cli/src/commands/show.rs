@@ -66,12 +66,14 @@ fn page(opened: &Opened, world: &World) -> String {
         half => format!("{} of cells at most on a GPU, {full} on the CPU", total(half)),
     };
     line(&mut text, "budget", &format!("{most}, in {} patches per stand", budget.patches));
-    let (plants, focus, lag) = (budget.visible_plants, budget.focus_distance, budget.lag_distance);
-    line(
-        &mut text,
-        "",
-        &format!("{} plants drawn at once; gusts stir patches within {focus} m, tips trail within {lag} m", grouped(plants.into())),
-    );
+    let (focus, lag) = (budget.focus_distance, budget.lag_distance);
+    let blades = world.model.stands.iter().filter(|stand| stand.species.blade.is_some()).count();
+    let drawn = match (blades, world.model.stands.len() - blades) {
+        (0, _) => format!("{} plants", grouped(budget.visible_plants.into())),
+        (_, 0) => format!("{} blades", grouped(budget.visible_blades.into())),
+        _ => format!("{} plants and {} blades", grouped(budget.visible_plants.into()), grouped(budget.visible_blades.into())),
+    };
+    line(&mut text, "", &format!("{drawn} drawn at once; gusts stir patches within {focus} m, tips trail within {lag} m"));
     text
 }
 
@@ -137,6 +139,11 @@ fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) ->
     let segments = stand.lag.segments;
     let trail = format!("the tip trails by {} s bending, {} s standing up", continuum.gamma_top, continuum.gamma_recover);
     line(&mut text, "", &format!("{segments} segment{} a plant; {trail}", plural(segments)));
+    if let Some(blade) = &stand.species.blade {
+        let [near, middle, far] = blade.pieces;
+        let more = format!("{near}, {middle}, {far} pieces from near to far");
+        line(&mut text, "", &format!("{} blade{} a plant, strips of {more}", blade.blades, plural(blade.blades)));
+    }
     let precision = &world.scene.budget.precision;
     let (patch, upper) = (patch_bytes(world, stand, precision), lag_bytes(stand));
     let total = budget_bytes(world, index, precision) as f64 / MEGABYTE;

@@ -19,6 +19,7 @@ mod frame;
 mod full;
 mod joint;
 mod modes;
+mod species;
 mod virtual_inertia;
 
 pub use blade::{Blade, ChainCoefficients, DragLaw, JointCoefficients, MOST_SEGMENTS, calibrate};

@@ -9,6 +9,7 @@ mod planted;
 mod twin;
 
 use sward::response::chain::{Blade, ChainCoefficients, ChainState, DragLaw, Frame, calibrate, joints, step};
+use sward::scene::Species;
 use sward::wind::{Source, WindField};
 
 /// Step of the scenes, s.
@@ -22,10 +23,10 @@ fn blade(segments: u32, half_length: f64, mass: f64, [root, tip]: [f64; 2], damp
 /// The four species, by name.
 fn species() -> [(&'static str, Blade); 4] {
     [
-        ("lawn", blade(2, 0.0125, 1.25e-5, [4.4e-5, 3.1e-5], 0.25, 1.5e-5)),
-        ("meadow", blade(4, 0.05, 1.12e-4, [6e-3, 3.3e-3], 0.15, 1.6e-4)),
-        ("reed", blade(7, 0.0857, 4.3e-4, [0.20, 0.099], 0.10, 9e-4)),
-        ("tussock", blade(3, 0.05, 2e-4, [1.6e-2, 9.6e-3], 0.20, 5e-4)),
+        ("lawn", Blade::of(&Species::Lawn)),
+        ("meadow", Blade::of(&Species::Meadow)),
+        ("reed", Blade::of(&Species::Reed)),
+        ("tussock", Blade::of(&Species::Tussock)),
     ]
 }
 
