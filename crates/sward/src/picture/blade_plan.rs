@@ -32,6 +32,8 @@ pub const AROUND: f32 = 0.5;
 pub const BAND: f32 = 0.25;
 /// Blades there is room for in any case.
 const SPARE: f64 = 256.0;
+/// Most `vec4`s of a stand's records: 128 MiB, what WebGPU lets a buffer bind.
+const MOST_RECORDS: f64 = (1 << 23) as f64;
 /// Farthest that distances are stretched to keep within the budget.
 const MOST_STRETCH: f32 = 1e4;
 
@@ -169,31 +171,28 @@ pub fn plan(world: &World, seen: &Seen, looks: &[Look], projection: &Mat4, then:
     let stands: Vec<_> = (world.model.stands.iter().zip(looks))
         .map(|(stand, look)| {
             let numbers = uniform(stand.species.blade.as_ref()?, projection, eye, look);
+            let numbers = BladeUniform { firsts: [0, 0, 0, u32::from(then)], ..numbers };
             let list = sighted(world, seen.view, f64::from(look.fade[1]));
             let squares = squares(world, stand, &list, seen.origin, &numbers);
             Some((numbers, list, squares))
         })
         .collect();
-    let total = |stretch: f32| -> f64 {
-        let all = stands.iter().flatten().map(|(numbers, _, squares)| expected(squares, numbers, stretch).iter().sum::<f64>());
-        all.sum()
+    let fits = |stretch: f32| {
+        let mut total = 0.0;
+        stands.iter().flatten().all(|(numbers, _, squares)| {
+            let blades = expected(squares, numbers, stretch);
+            total += blades.iter().sum::<f64>();
+            (0..LEVELS).map(|level| blades[level] * f64::from(numbers.stride(level))).sum::<f64>() < MOST_RECORDS
+        }) && total <= f64::from(world.scene.budget.visible_blades)
     };
     let mut stretch = 1.0;
-    while total(stretch) > f64::from(world.scene.budget.visible_blades) && stretch < MOST_STRETCH {
+    while !fits(stretch) && stretch < MOST_STRETCH {
         stretch *= 1.05;
     }
     let settled = stands.iter().enumerate().map(|(index, stand)| {
         let (numbers, list, squares) = stand.as_ref()?;
         let rooms = expected(squares, numbers, stretch).map(|blades| blades as u32);
-        Some(settle(
-            world,
-            index,
-            seen.origin,
-            list,
-            BladeUniform { thinning: with_last(numbers.thinning, stretch), ..*numbers },
-            rooms,
-            then,
-        ))
+        Some(settle(world, index, seen.origin, list, BladeUniform { thinning: with_last(numbers.thinning, stretch), ..*numbers }, rooms))
     });
     settled.collect()
 }
@@ -203,18 +202,9 @@ fn with_last([a, b, c, _]: [f32; 4], last: f32) -> [f32; 4] {
 }
 
 /// Sets records and workgroups aside.
-fn settle(
-    world: &World,
-    index: usize,
-    origin: [i32; 2],
-    list: &[Sighted],
-    mut numbers: BladeUniform,
-    rooms: [u32; LEVELS],
-    then: bool,
-) -> BladePlan {
+fn settle(world: &World, index: usize, origin: [i32; 2], list: &[Sighted], mut numbers: BladeUniform, rooms: [u32; LEVELS]) -> BladePlan {
     let stand = &world.model.stands[index];
     numbers.rooms = [rooms[0], rooms[1], rooms[2], list.len() as u32];
-    numbers.firsts[3] = u32::from(then);
     for level in 1..LEVELS {
         numbers.firsts[level] = numbers.firsts[level - 1] + rooms[level - 1] * numbers.stride(level - 1);
     }

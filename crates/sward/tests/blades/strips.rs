@@ -7,7 +7,7 @@ use sward::geometry::blade::{Stance, across, density, piece, piece_bend, profile
 fn chance(dice: &mut Dice) -> (Vec<[f32; 2]>, Stance) {
     let mut number = |low: f64, high: f64| dice.between(low, high) as f32;
     let bends = (0..1 + (number(0.0, 7.99) as usize)).map(|_| [number(-1.5, 1.5), number(-1.5, 1.5)]).collect();
-    let turn = number(0.0, 6.28);
+    let turn = number(0.0, std::f64::consts::TAU);
     (bends, Stance { heading: [turn.cos(), turn.sin()], lean: number(0.0, 1.2), curl: number(0.0, 2.0) })
 }
 
@@ -74,7 +74,7 @@ fn pieces_are_raised_and_keep_their_length() {
 fn blades_lie_across_their_stems() {
     let mut dice = Dice(11);
     for _ in 0..4000 {
-        let turn = dice.between(0.0, 6.28) as f32;
+        let turn = dice.between(0.0, std::f64::consts::TAU) as f32;
         let tangent = Vec3::new(dice.between(-1.0, 1.0) as f32, dice.between(-0.6, 1.0) as f32, dice.between(-1.0, 1.0) as f32).normalize();
         // Beyond a tilt of 155 degrees, which no blade reaches, the way it is carried has no answer.
         if tangent.y < -0.9 {

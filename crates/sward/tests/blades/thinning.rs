@@ -95,6 +95,7 @@ fn blades_keep_within_the_budget() {
             let rooms = plan.uniform.rooms;
             assert!((0..3).all(|level| found[level] <= rooms[level]), "{found:?} in {rooms:?}");
             assert!(rooms[..3].iter().sum::<u32>() <= budget, "{rooms:?} exceed {budget}");
+            assert!(plan.uniform.records() <= 1 << 23, "{} do not fit a buffer", plan.uniform.records());
             // Room is not wasted either.
             if budget > 10_000 {
                 wasted = wasted.max(rooms[..3].iter().sum::<u32>() as f64 / found.iter().sum::<u32>() as f64);
@@ -104,6 +105,22 @@ fn blades_keep_within_the_budget() {
     }
     assert!(wasted < 1.7, "room for {wasted} times what is found");
     assert!(thinned >= 3, "a short budget thins: {thinned}");
+}
+
+/// Many pieces of many blades: what a buffer holds is less than the budget.
+#[test]
+fn records_fit_a_buffer() {
+    let with = |pieces: u32| {
+        let world = world(&format!(
+            "stands: [(species: Meadow, cells: 256, representation: Blade(blades: 64, pieces: ({pieces}, {pieces}, {pieces}), thinning: (0.01, 0, 0)))],
+            camera: (eye: (0, 20, -8), target: (0, 0, 10)), budget: (visible_blades: 1500000)"
+        ));
+        plan(&world).uniform
+    };
+    let (few, many) = (with(1), with(12));
+    assert!(few.records() <= 1 << 23 && many.records() <= 1 << 23 && many.records() > 1 << 22, "{} and {}", few.records(), many.records());
+    let blades = |uniform: &sward::picture::blade_plan::BladeUniform| uniform.rooms[..3].iter().sum::<u32>();
+    assert!(blades(&few) > 2 * blades(&many), "control: {} and {}", blades(&few), blades(&many));
 }
 
 /// A field of 280 m and one of 28 km: the same patches, workgroups and room.

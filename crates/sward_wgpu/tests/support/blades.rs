@@ -52,7 +52,7 @@ pub(crate) fn strips(gpu: &Gpu) -> Verdict {
     check(gpu, "strips", host, By::Absolute(tolerance), |random| {
         let count = random.whole(1, 9) as usize;
         let bends: Vec<[f32; 2]> = (0..8).map(|_| [random.float(-1.5, 1.5), random.float(-1.5, 1.5)]).collect();
-        let turn = random.drawn(0.0, 6.28);
+        let turn = random.drawn(0.0, std::f32::consts::TAU);
         let heading = [random.put(turn.cos()), random.put(turn.sin())];
         let stance = blade::Stance { heading, lean: random.float(0.0, 1.2), curl: random.float(0.0, 2.0) };
         let pieces = random.whole(1, 13) as u32;
@@ -176,9 +176,10 @@ fn compare(own: &Solved, theirs: &Solved) -> Verdict {
     let both: Vec<_> = own.iter().filter_map(|(place, a)| Some((a, theirs.get(place)?))).filter(|(a, b)| a.len() == b.len()).collect();
     let apart = own.len() + theirs.len() - 2 * both.len();
     ensure(both.len() > 3_000 && apart * 500 < both.len(), || format!("{apart} of {} are found by one only", both.len()))?;
-    let flat = |pick: fn(&(&Vec<f32>, &Vec<f32>)) -> Vec<f32>| both.iter().flat_map(pick).collect::<Vec<f32>>();
+    let own: Vec<f32> = both.iter().flat_map(|(a, _)| (*a).clone()).collect();
+    let theirs: Vec<f32> = both.iter().flat_map(|(_, b)| (*b).clone()).collect();
     let tolerance = Tolerance { p999: 5e-5, rms: 1e-3, outlier: 2e-3, share: 2e-4 };
-    judge("blades", &flat(|(a, _)| (*a).clone()), &flat(|(_, b)| (*b).clone()), &tolerance)
+    judge("blades", &own, &theirs, &tolerance)
 }
 
 /// Hills, gusts, a truck, a road; whole steps and moments between them; few blades and many.

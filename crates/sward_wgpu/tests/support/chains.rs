@@ -104,7 +104,7 @@ pub(crate) fn steps(gpu: &Gpu) -> Verdict {
                 *joint = [1.0, 1.0, 8.0, 8.0].map(|most: f32| random.drawn(-most, most) * there);
             }
             input.extend_from_slice(bytemuck::cast_slice(bytemuck::bytes_of(&state)));
-            let (yaw, tilt) = (random.float(0.0, 6.28), random.float(0.0, 0.5));
+            let (yaw, tilt) = (random.float(0.0, std::f32::consts::TAU), random.float(0.0, 0.5));
             let wind = [random.drawn(-20.0, 20.0), random.drawn(-2.0, 2.0), random.drawn(-20.0, 20.0)];
             wind.iter().for_each(|along| {
                 random.put(*along);
@@ -155,7 +155,7 @@ fn poses_of(gpu: &Gpu, more: f32) -> Verdict {
             (joint[0], joint[1]) = (random.drawn(-0.6, 0.6), random.drawn(-0.6, 0.6));
         }
         input.extend_from_slice(bytemuck::cast_slice(bytemuck::bytes_of(&state)));
-        let (yaw, tilt) = (random.float(0.0, 6.28), random.float(0.0, 0.4));
+        let (yaw, tilt) = (random.float(0.0, std::f32::consts::TAU), random.float(0.0, 0.4));
         input.extend(random.words);
         let base = chain::planted(yaw, tilt * more);
         let moments = chain::moments(&co, &chain::UPRIGHT, &state.bends()).map(|moment| chain::turned(&base, &chain::UPRIGHT, moment));

@@ -67,7 +67,7 @@ impl BladeBuffers {
             gpu.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
         };
         // Some room to spare, so that a moving camera does not ask for a new one every time.
-        let bytes = (bytes + bytes / 4).min(u64::from(gpu.device.limits().max_storage_buffer_binding_size)).max(bytes);
+        let bytes = (bytes + bytes / 4).min(gpu.device.limits().max_storage_buffer_binding_size).max(bytes);
         self.filled = Some([
             make("blades", bytes, wgpu::BufferUsages::empty()),
             make("blades found", 16, wgpu::BufferUsages::COPY_DST),
