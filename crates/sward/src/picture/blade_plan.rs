@@ -20,8 +20,8 @@ pub const GROUP: u32 = 64;
 pub const BLADES_PER_INSTANCE: u32 = 64;
 /// The `vec4`s of a blade before its points.
 pub const HEAD: u32 = 3;
-/// Squares along a patch side that are counted apart, of patches near the eye and of others.
-const SQUARES: [usize; 2] = [16, 4];
+/// Squares along a patch side that are counted apart: of patches under the eye, near it, and others.
+const SQUARES: [usize; 3] = [32, 16, 4];
 /// How near that is, m.
 const NEAR: f64 = 32.0;
 /// Room beyond what is expected: a square is counted at its middle.
@@ -35,7 +35,9 @@ const SPARE: f64 = 256.0;
 /// Most `vec4`s of a stand's records: 128 MiB, what WebGPU lets a buffer bind.
 const MOST_RECORDS: f64 = (1 << 23) as f64;
 /// Farthest that distances are stretched to keep within the budget.
-const MOST_STRETCH: f32 = 1e4;
+const MOST_STRETCH: f32 = 1e6;
+/// Least b of the thinning: so little that nothing is left out because of it, and a short budget can still thin by distance.
+const LEAST_THINNING: f32 = 1e-4;
 
 /// `Blades` of `blades.wgsl`.
 #[repr(C)]
@@ -103,7 +105,7 @@ fn uniform(blade: &Blade, seen: &Mat4, eye: Vec3, look: &Look) -> BladeUniform {
         seen: *seen,
         eye: eye.extend(0.0).to_array(),
         stance: [blade.lean, blade.curl, blade.shortest, blade.tuft],
-        thinning: [blade.thinning[0], blade.thinning[1], blade.thinning[2], 1.0],
+        thinning: [blade.thinning[0], blade.thinning[1].max(LEAST_THINNING), blade.thinning[2], 1.0],
         distances: [blade.piece_distances[0], blade.piece_distances[1], look.fade[0], look.fade[1]],
         pieces: [blade.pieces[0], blade.pieces[1], blade.pieces[2], blade.blades],
         rooms: [0; 4],
@@ -131,7 +133,7 @@ fn squares(world: &World, stand: &StandModel, list: &[Sighted], origin: [i32; 2]
     let all = f64::from(stand.cells * stand.cells * numbers.pieces[3]) * cover;
     let mut found = Vec::new();
     for sighted in list {
-        let count = SQUARES[usize::from(sighted.distance > NEAR)];
+        let count = SQUARES[usize::from(sighted.distance > 1.0) + usize::from(sighted.distance > NEAR)];
         let square = side / count as f64;
         let radius = 0.35 * square as f32 + stand.species.height[1] + AROUND;
         for k in 0..count * count {
@@ -187,7 +189,7 @@ pub fn plan(world: &World, seen: &Seen, looks: &[Look], projection: &Mat4, then:
     };
     let mut stretch = 1.0;
     while !fits(stretch) && stretch < MOST_STRETCH {
-        stretch *= 1.05;
+        stretch *= 1.04;
     }
     let settled = stands.iter().enumerate().map(|(index, stand)| {
         let (numbers, list, squares) = stand.as_ref()?;
