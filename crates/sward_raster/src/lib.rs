@@ -25,6 +25,7 @@ mod bodies;
 mod clumps;
 mod each;
 mod ground;
+mod growing;
 mod leaves;
 mod plants;
 mod shadows;
@@ -35,4 +36,5 @@ mod tile;
 mod trace;
 mod triangle;
 
-pub use studio::{Studio, Thinning};
+pub use growing::Thinning;
+pub use studio::Studio;

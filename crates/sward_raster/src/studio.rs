@@ -5,8 +5,7 @@ use sward::geometry::relief::Relief;
 use sward::growth::Near;
 use sward::picture::Picture;
 use sward::picture::aov::Aov;
-use sward::picture::blade_plan::{self, BladePlan, BladeUniform, LEVELS};
-use sward::picture::blades::Blades;
+use sward::picture::blade_plan::{BladePlan, LEVELS};
 use sward::picture::frame::{BodyDraw, FrameUniform};
 use sward::picture::past::Past;
 use sward::picture::plan::{self, BatchPlan, Seen};
@@ -14,18 +13,18 @@ use sward::picture::plants::Plant;
 use sward::picture::prepare::{PrepareUniform, Preparing};
 use sward::picture::subject::{self, Frame, SHADOW_REACH};
 use sward::response::continuum::NODE_CELLS;
-use sward::shading::blade::BladeStyle;
 use sward::shading::look::{Look, Turf};
 use sward::state::{Cells, PatchKey};
 use sward::wind::WindField;
 use sward::world::World;
 
 use crate::bins::Bins;
-use crate::blades::{self, Strips};
+use crate::blades::Strips;
 use crate::bodies::Bodies;
 use crate::clumps::Clumps;
 use crate::each::each;
 use crate::ground::Ground;
+use crate::growing::Thinning;
 use crate::plants::Batch;
 use crate::shadows::{ShadowMap, ShadowTile, TILES};
 use crate::sight::Sight;
@@ -34,22 +33,6 @@ use crate::tile::{SIDE, Tile};
 
 /// Largest side of a picture, pixels.
 const LARGEST_SIDE: u32 = 16384;
-
-/// How blades thin out in a picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Thinning {
-    /// As seen from here, m from the corner of the scene's origin patch.
-    pub eye: [f64; 3],
-    /// Share of the blades drawn that are on their way in or out, above 0: a picture's own is [`sward::picture::blade_plan::BAND`].
-    pub band: f32,
-}
-
-impl Thinning {
-    fn within(self, frame: &Frame) -> ([f32; 4], f32) {
-        let [x, y, z] = self.eye;
-        ([(x - frame.corner[0]) as f32, y as f32, (z - frame.corner[1]) as f32, 0.0], self.band)
-    }
-}
 
 /// Draws a world.
 pub struct Studio {
@@ -164,50 +147,6 @@ impl Studio {
         };
         let batches = drawn.iter().map(solve).collect();
         (drawn.into_iter().map(|(drawn, _)| drawn).collect(), batches)
-    }
-
-    /// The blades of all stands of them, and what was decided of each.
-    fn grow(
-        &self,
-        world: &World,
-        seen: &Seen,
-        frame: &FrameUniform,
-        thinning: Option<([f32; 4], f32)>,
-    ) -> (Vec<(usize, BladePlan)>, Vec<[Strips; LEVELS]>) {
-        let plans = blade_plan::plan(world, seen, &self.looks, &frame.view_projection, false).into_iter().enumerate();
-        let mut plans: Vec<(usize, BladePlan)> = plans.filter_map(|(stand, plan)| Some((stand, plan?))).collect();
-        for (_, plan) in &mut plans {
-            let numbers = &mut plan.uniform;
-            (numbers.eye, numbers.shape[2]) = thinning.unwrap_or((numbers.eye, numbers.shape[2]));
-        }
-        let solve = |(index, plan): &(usize, BladePlan)| {
-            let stand = &world.model.stands[*index];
-            let prepare = PrepareUniform::new(world, stand, false, seen, &self.looks[*index]);
-            let wind = world.wind_before(stand, seen.behind);
-            let blades = self.blades(world, &world.state.stands[*index].cells, *index, prepare, &wind, plan.uniform);
-            let style = |level: usize| {
-                let shape = [plan.uniform.pieces[level], 0, 0, level as u32];
-                stand.species.blade.as_ref().map(|blade| BladeStyle::new(blade, &self.looks[*index], shape))
-            };
-            Some(blades::solve(&blades, plan, [style(0)?, style(1)?, style(2)?]))
-        };
-        let strips = plans.iter().filter_map(solve).collect();
-        (plans, strips)
-    }
-
-    /// What solves the blades of a stand, bent as `cells` say, on the ground of a world.
-    pub(crate) fn blades<'a>(
-        &self,
-        world: &'a World,
-        cells: &'a Cells,
-        index: usize,
-        prepare: PrepareUniform,
-        wind: &'a WindField,
-        uniform: BladeUniform,
-    ) -> Blades<'a> {
-        let stand = &world.model.stands[index];
-        let intervals = stand.cells / NODE_CELLS;
-        Blades { preparing: Preparing { uniform: prepare, cells, terrain: &world.model.terrain, stand, wind, intervals }, uniform }
     }
 
     /// Solves the plants of a batch of a stand, bent as `cells` say, on the ground of a world.

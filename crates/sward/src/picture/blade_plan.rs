@@ -39,7 +39,7 @@ const MOST_STRETCH: f32 = 1e6;
 /// Least b of the thinning: so little that nothing is left out because of it, and a short budget can still thin by distance.
 const LEAST_THINNING: f32 = 1e-4;
 
-/// `Blades` of `blades.wgsl`.
+/// `Blades` of `solve.wgsl` of `sward_wgpu`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct BladeUniform {
@@ -87,7 +87,7 @@ pub struct BladePlan {
     pub uniform: BladeUniform,
 }
 
-/// Whether a ball lies outside the picture's sides or behind the eye. Twin: `blades_unseen` in `blades.wgsl`.
+/// Whether a ball lies outside the picture's sides or behind the eye. Twin: `blades_unseen` in `solve.wgsl`.
 pub fn unseen(seen: &Mat4, centre: Vec3, radius: f32) -> bool {
     let clip = *seen * centre.extend(1.0);
     let [x, y] = [0, 1].map(|row| seen.row(row).truncate().length());

@@ -1,6 +1,6 @@
 //! Blades of a picture, solved once each.
 //!
-//! The CPU side of `blades.wgsl`, function by function. Reads cells and wind, writes blades and the points of their strips.
+//! The CPU side of `solve.wgsl` of `sward_wgpu`, function by function. Reads cells and wind, writes blades and the points of their strips.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
@@ -14,7 +14,7 @@ use crate::math;
 use crate::placement::{self, Plant};
 use crate::wind::Phases;
 
-/// A blade, solved: the head of its record in `blades.wgsl`.
+/// A blade, solved: the head of its record in `solve.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Blade {
