@@ -10,8 +10,8 @@ use sward_wgpu::compute::GpuStep;
 use sward_wgpu::gpu::Gpu;
 use sward_wgpu::studio::{CellsAt, Studio};
 
-/// Wind, a body, upper segments, and a species that needs no segments: every pass runs.
-const SCENE: &str = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32), (species: Lawn, cells: 32)],
+/// Wind, a body, upper segments, a species that needs no segments, and one of blades: every pass runs.
+const SCENE: &str = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32), (species: Lawn, cells: 32), (species: Tussock, cells: 32, representation: Blade(blades: 3))],
     wind: [Natural(velocity: (3.0, 1.0))], budget: (patches: 25, focus_distance: 12.0, lag_distance: 12.0),
     interactors: [(name: \"ball\", shape: Sphere(radius: 0.6), path: Circle(radius: 3.0, speed: 4.0))])";
 
@@ -29,6 +29,10 @@ fn step_and_picture() -> Result<(), Failed> {
     }
     let mut studio = Studio::new(&gpu, &world)?;
     studio.draw(&gpu, &world, CellsAt::Gpu(&step), [64, 48])?;
+    for _ in 0..2 {
+        studio.draw_aov(&gpu, &world, CellsAt::Gpu(&step), 0.5, [64, 48])?;
+        step.step(&gpu, &mut world)?;
+    }
     step.download(&gpu, &mut world)?;
     drop((studio, step, gpu));
     silent(&watch.take())
