@@ -61,6 +61,7 @@ fn main() -> std::process::ExitCode {
         ("strips", blades::strips),
         ("blades_lit", blades::lit),
         ("blades_solved", blades::solved),
+        ("blades_without_room", blades::room_ends),
         ("plants_solved", prepared::plants_solved),
         ("plants_on_edited_ground", prepared::plants_on_edited_ground),
         ("road_and_rising_ground", scenes::road_and_rising_ground),

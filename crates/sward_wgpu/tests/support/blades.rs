@@ -11,12 +11,16 @@ use sward::picture::plan::Seen;
 use sward::picture::prepare::{PrepareUniform, Preparing};
 use sward::picture::subject::{self, Frame};
 use sward::response::continuum::NODE_CELLS;
-use sward::scene::{BladeOverrides, Scene};
+use sward::scene::{BladeOverrides, Precision, Scene};
 use sward::shading::blade as shading;
 use sward::world::World;
 use sward_wgpu::compare::Tolerance;
+use sward_wgpu::compute::buffers::CellBuffers;
 use sward_wgpu::compute::readback;
 use sward_wgpu::gpu::Gpu;
+use sward_wgpu::render::blades::{BladeBuffers, SolvePass, Solving};
+use sward_wgpu::render::growth_maps::GrowthMaps;
+use sward_wgpu::render::prepare::PreparePass;
 use sward_wgpu::studio::{CellsAt, Studio};
 
 use crate::adapter::{Verdict, ensure};
@@ -158,8 +162,8 @@ fn on_gpu(gpu: &Gpu, world: &World, behind: f64) -> Result<Solved, Failed> {
     let found: Vec<u32> = readback::read(gpu, found, 16)?;
     let records: Vec<[f32; 4]> = readback::read(gpu, records, u64::from(plan.records()) * 16)?;
     let mut solved = Solved::new();
+    ensure(found[3] == 0, || format!("no room for {} of {found:?} in {:?}", found[3], plan.rooms))?;
     for level in 0..3 {
-        ensure(found[level] <= plan.rooms[level], || format!("{found:?} in {:?}", plan.rooms))?;
         for slot in 0..found[level] {
             let first = (plan.firsts[level] + slot * plan.stride(level)) as usize;
             let words: Vec<f32> = records[first..first + HEAD as usize].concat();
@@ -212,4 +216,39 @@ pub(crate) fn solved(gpu: &Gpu) -> Verdict {
         ensure(compare(&on_cpu(&other, 0.0).0, &theirs).is_err(), || "one percent more curl looks the same".to_owned())?;
     }
     Ok(())
+}
+
+/// More blades than there is room for: those beyond are left out and counted, and the others are what they were.
+pub(crate) fn room_ends(gpu: &Gpu) -> Verdict {
+    let text = "(version: 1, stands: [(species: Meadow, cells: 64, representation: Blade(blades: 2))], camera: (eye: (0, 2, -5), target: (0, 0, 6)))";
+    let world = World::new(Scene::parse(text, "room.ron")?, &sward::model::NoAssets)?;
+    let view = world.camera();
+    let (frame, origin) = Frame::of(&world, &view, 0.0);
+    let seen = Seen { view: &view, origin, fullness: 1.0, behind: 0.0 };
+    let looks = subject::looks(&world);
+    let mut plan =
+        blade_plan::plan(&world, &seen, &looks, &frame.view(&view).projection([64, 36]), false).swap_remove(0).ok_or("blades")?;
+    let solve = |plan: &BladePlan| -> Result<Vec<u32>, Failed> {
+        let (stand, pass) = (&world.model.stands[0], SolvePass::new(gpu));
+        let prepare = PreparePass::new(gpu, &world);
+        let uniform = PrepareUniform::new(&world, stand, false, &seen, &looks[0]);
+        let (cells, wind) = (CellBuffers::new(gpu, stand, Precision::Full), world.wind(stand));
+        let growth = GrowthMaps::new(gpu, stand);
+        let of = Solving { prepare: uniform, wind: &wind, cells: &cells, growth: &growth.view };
+        let mut buffers = BladeBuffers::default();
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        pass.record(gpu, &mut encoder, &prepare.shared, &of, plan, &mut buffers, None);
+        gpu.queue.submit([encoder.finish()]);
+        let Some([_, found, arguments]) = &buffers.filled else { return Err("nothing was solved".into()) };
+        let (found, arguments): (Vec<u32>, Vec<u32>) = (readback::read(gpu, found, 16)?, readback::read(gpu, arguments, 60)?);
+        for level in 0..3 {
+            ensure(arguments[5 * level + 1] == found[level].div_ceil(64), || format!("{arguments:?} of {found:?}"))?;
+        }
+        Ok(found)
+    };
+    let all = solve(&plan)?;
+    ensure(all[3] == 0 && all[..3].iter().all(|found| *found > 100), || format!("control: {all:?} in {:?}", plan.uniform.rooms))?;
+    plan.uniform.rooms[1] = 64;
+    let few = solve(&plan)?;
+    ensure(few == [all[0], 64, all[2], all[1] - 64], || format!("{few:?} of {all:?}"))
 }

@@ -49,7 +49,7 @@ pub(super) fn finish() -> String {
 /// Blades of one stand, kept from picture to picture.
 #[derive(Default)]
 pub struct BladeBuffers {
-    /// Records, numbers found, draw arguments; none before the first picture.
+    /// Records, numbers found (per number of pieces, and those there was no room for), draw arguments; none before the first picture.
     pub filled: Option<[wgpu::Buffer; 3]>,
     /// What the last picture decided.
     pub numbers: Option<BladeUniform>,
