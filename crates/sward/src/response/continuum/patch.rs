@@ -30,9 +30,15 @@ pub struct Wave<'a> {
     pub keep: f32,
 }
 
-/// Rows worked on at a time, first their ω, then their β: so few places in memory are read at once, each for long enough that the
-/// processor fetches ahead.
-const BLOCK: usize = 16;
+/// Most rows, and most cells, worked on at a time, first their ω, then their β: so few places in memory are read at once, each for long
+/// enough that the processor fetches ahead, and what the first pass leaves for the second stays in the cache.
+const BLOCK: usize = 64;
+const BLOCK_CELLS: usize = 8192;
+
+/// Rows of a block.
+fn block_rows(cells: usize) -> usize {
+    if cells * BLOCK > BLOCK_CELLS { BLOCK_CELLS / cells } else { BLOCK }
+}
 
 /// The row before, the row itself and the row after of a vector field; x and z, each with a cell of halo at both ends.
 #[derive(Default)]
@@ -58,8 +64,8 @@ impl Scratch {
         self.bends.0.iter_mut().chain(&mut self.rates.0).flatten().for_each(|row| row.resize(cells + 2, 0.0));
         self.rest.iter_mut().for_each(|row| row.resize(cells, 0.0));
         self.columns.iter_mut().for_each(|column| column.resize(4 * cells, 0.0));
-        self.pace.iter_mut().for_each(|rows| rows.resize(BLOCK * cells, 0.0));
-        self.deviations.resize(BLOCK * cells, 0);
+        self.pace.iter_mut().for_each(|rows| rows.resize(block_rows(cells) * cells, 0.0));
+        self.deviations.resize(block_rows(cells) * cells, 0);
         self.held.resize(cells, 0);
     }
 }
@@ -188,9 +194,9 @@ pub fn step_patch<S: Simd>(simd: S, co: &Coefficients, cells: usize, wave: &Wave
         scratch.rates.push::<S>(wave, cells, j, 2, &scratch.columns);
         scratch.bends.push::<S>(wave, cells, j, 0, &scratch.columns);
     }
-    let mut block = 0;
+    let (mut block, most) = (0, block_rows(cells));
     while block < cells {
-        let rows = block..if block + BLOCK < cells { block + BLOCK } else { cells };
+        let rows = block..if block + most < cells { block + most } else { cells };
         block = rows.end;
         let fastest = block_rates(simd, co, cells, wave, old, scratch, rows.clone());
         block_bends(simd, co, cells, wave, old, scratch, rows, fastest, &mut sum);

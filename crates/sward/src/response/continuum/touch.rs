@@ -25,8 +25,8 @@ pub struct Touched {
     hits: Vec<Hit>,
     /// (cell, number of its hit).
     order: Vec<(u32, u32)>,
-    /// β where each hit is.
-    bends: Vec<[f32; 2]>,
+    /// β and ω where each hit is.
+    cells: Vec<[f32; 4]>,
     /// Held cells, β and ω.
     held: Vec<(u32, [f32; 4])>,
 }
@@ -43,20 +43,22 @@ pub fn touch_patch(
     touched: &mut Touched,
 ) -> Vec<u32> {
     let area = cells * cells;
-    let Touched { hits, order, bends, held } = touched;
+    let Touched { hits, order, cells: there, held } = touched;
     find_hits(co, cells, by, ground, order, hits);
     // By cell; hits of a cell stay in body order.
-    order.sort_unstable();
-    // All are read, then all are worked out, then all written: one by one each would wait for memory.
-    bends.clear();
-    bends.extend(order.iter().map(|(cell, _)| [now[*cell as usize], now[area + *cell as usize]]));
+    if !order.is_sorted() {
+        order.sort_unstable();
+    }
+    // All are read, then all are worked out, then all written: one by one each would wait for memory. ω is read only for this.
+    there.clear();
+    there.extend(order.iter().map(|(cell, _)| [0, 1, 2, 3].map(|plane| now[plane * area + *cell as usize])));
     held.clear();
     let mut first = 0;
     for same in order.chunk_by(|a, b| a.0 == b.0) {
-        let (cell, bend) = (same[0].0, bends[first]);
+        let (cell, [x, z, ..]) = (same[0].0, there[first]);
         first += same.len();
         let slope = ground.slope(cells, cell as usize);
-        if let Some(next) = bend::contact(co, bend, slope, same.iter().map(|(_, hit)| hits[*hit as usize])) {
+        if let Some(next) = bend::contact(co, [x, z], slope, same.iter().map(|(_, hit)| hits[*hit as usize])) {
             held.push((cell, [next.bend[0], next.bend[1], next.rate[0], next.rate[1]]));
         }
     }
