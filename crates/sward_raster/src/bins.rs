@@ -1,5 +1,7 @@
 //! Which things may be seen in which tile: a counting sort by tile that keeps the things' order.
 
+use crate::each::each;
+
 /// Tiles from a corner to another one, inclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Rect {
@@ -16,6 +18,18 @@ impl Rect {
         let tile = |pixel: f32, axis: usize| (pixel.clamp(0.0, last[axis]) as u32 / side) as u16;
         inside.then(|| Self { low: [tile(low[0], 0), tile(low[1], 1)], high: [tile(high[0], 0), tile(high[1], 1)] })
     }
+}
+
+/// Things looked at together.
+const CHUNK: usize = 4096;
+
+/// Where each of some things may be seen.
+pub(crate) fn rects<T: Sync>(things: &[T], rect: impl Fn(usize, &T) -> Option<Rect> + Sync + Send) -> Vec<Option<Rect>> {
+    let chunks = things.chunks(CHUNK).enumerate().collect();
+    let rects = each(chunks, |(chunk, things): (usize, &[T])| {
+        things.iter().enumerate().map(|(index, thing)| rect(chunk * CHUNK + index, thing)).collect::<Vec<_>>()
+    });
+    rects.into_iter().flatten().collect()
 }
 
 /// Things by tile.

@@ -12,7 +12,7 @@ use sward::shading::blade::{BladeStyle, Spot, blade, coverage};
 use sward::shading::common::patchwork;
 use sward::shading::foliage::MEAN_LIT;
 
-use crate::bins::{Bins, Rect};
+use crate::bins::{Bins, Rect, rects};
 use crate::each::each;
 use crate::leaves;
 use crate::shadows::{self, ShadowTile, TILE, TILES};
@@ -164,7 +164,7 @@ impl Strips {
             let (a, b) = (corner(low), corner(high));
             Rect::under([a.x - 1.0, b.y - 1.0], [b.x + 1.0, a.y + 1.0], sight.size, tile::SIDE)
         };
-        Bins::new(&self.rects(rect), columns, rows)
+        Bins::new(&rects(&self.blades, rect), columns, rows)
     }
 
     /// By tile of the shadow map.
@@ -181,15 +181,7 @@ impl Strips {
             }
             Rect::under((low - 2.0).to_array(), (high + 2.0).to_array(), [SHADOW_SIDE; 2], TILE as u32)
         };
-        Bins::new(&self.rects(rect), TILES, TILES)
-    }
-
-    fn rects(&self, rect: impl Fn(usize, &Blade) -> Option<Rect> + Sync + Send) -> Vec<Option<Rect>> {
-        let chunks = self.blades.chunks(CHUNK).enumerate().collect();
-        let rects = each(chunks, |(chunk, blades): (usize, &[Blade])| {
-            blades.iter().enumerate().map(|(index, blade)| rect(chunk * CHUNK + index, blade)).collect::<Vec<_>>()
-        });
-        rects.into_iter().flatten().collect()
+        Bins::new(&rects(&self.blades, rect), TILES, TILES)
     }
 
     /// Draws into a tile of the shadow map.

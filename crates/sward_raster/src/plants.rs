@@ -11,9 +11,8 @@ use sward::picture::plants::{MOST_CARDS, MOST_SEGMENTS, PLANTS_PER_INSTANCE, Pla
 use sward::shading::common::patchwork;
 use sward::shading::look::{Look, Style};
 
-use crate::bins::{Bins, Rect};
+use crate::bins::{Bins, Rect, rects};
 use crate::clumps::Clumps;
-use crate::each::each;
 use crate::leaves::{self, Leaf, LeafOf};
 use crate::shadows::{self, Cutout, ShadowTile, TILE, TILES};
 use crate::sight::Sight;
@@ -21,8 +20,6 @@ use crate::tile::{self, Tile};
 use crate::trace::Trace;
 use crate::triangle::clipped;
 
-/// Plants looked at together while they are sorted into tiles.
-const CHUNK: usize = 4096;
 /// Most joints of a card.
 const MOST_JOINTS: usize = MOST_SEGMENTS as usize + 1;
 
@@ -96,7 +93,7 @@ impl Batch {
     /// By tile of the picture.
     pub(crate) fn bins(&self, sight: &Sight<'_>, [columns, rows]: [usize; 2]) -> Bins {
         let scale = [0, 1].map(|row| sight.frame.view_projection.row(row).truncate().length());
-        Bins::new(&self.rects(|index, plant| self.seen(sight, index, plant, scale)), columns, rows)
+        Bins::new(&rects(&self.plants, |index, plant| self.seen(sight, index, plant, scale)), columns, rows)
     }
 
     /// By tile of the shadow map.
@@ -116,15 +113,7 @@ impl Batch {
             }
             Rect::under((low - reach).to_array(), (high + reach).to_array(), [SHADOW_SIDE; 2], TILE as u32)
         };
-        Bins::new(&self.rects(rect), TILES, TILES)
-    }
-
-    fn rects(&self, rect: impl Fn(usize, &Plant) -> Option<Rect> + Sync + Send) -> Vec<Option<Rect>> {
-        let chunks = self.plants.chunks(CHUNK).enumerate().collect();
-        let rects = each(chunks, |(chunk, plants): (usize, &[Plant])| {
-            plants.iter().enumerate().map(|(index, plant)| rect(chunk * CHUNK + index, plant)).collect::<Vec<_>>()
-        });
-        rects.into_iter().flatten().collect()
+        Bins::new(&rects(&self.plants, rect), TILES, TILES)
     }
 
     /// Tiles a plant may touch, on the safe side; `scale`: how far a metre at distance 1 reaches over the picture's halves.

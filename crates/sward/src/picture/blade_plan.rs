@@ -165,11 +165,10 @@ fn expected(squares: &[Square], numbers: &BladeUniform, stretch: f32) -> [f64; L
 }
 
 /// Decides what is drawn of all stands of blades in a picture whose camera is `projection`; `None` for stands of billboards. `then`:
-/// whether the records hold points of the picture before, too. Where the budget is short, blades thin out sooner, not near the eye.
+/// whether the records hold points of the picture before, too. Where the budget or what a buffer holds is short (sooner with
+/// `then`, whose records are longer), blades thin out sooner, not near the eye.
 pub fn plan(world: &World, seen: &Seen, looks: &[Look], projection: &Mat4, then: bool) -> Vec<Option<BladePlan>> {
-    let side = world.model.patch_side;
-    let eye = [0, 2].map(|axis| (seen.view.eye[axis] - f64::from(seen.origin[axis / 2]) * side) as f32);
-    let eye = Vec3::new(eye[0], seen.view.eye[1] as f32, eye[1]);
+    let eye = Vec3::from(seen.eye(world.model.patch_side));
     let stands: Vec<_> = (world.model.stands.iter().zip(looks))
         .map(|(stand, look)| {
             let numbers = uniform(stand.species.blade.as_ref()?, projection, eye, look);
@@ -187,9 +186,14 @@ pub fn plan(world: &World, seen: &Seen, looks: &[Look], projection: &Mat4, then:
             (0..LEVELS).map(|level| blades[level] * f64::from(numbers.stride(level))).sum::<f64>() < MOST_RECORDS
         }) && total <= f64::from(world.scene.budget.visible_blades)
     };
-    let mut stretch = 1.0;
+    let (mut short, mut stretch) = (1.0_f32, 1.0_f32);
     while !fits(stretch) && stretch < MOST_STRETCH {
-        stretch *= 1.04;
+        (short, stretch) = (stretch, 2.0 * stretch);
+    }
+    // To a hundredth.
+    for _ in 0..if stretch > 1.0 { 6 } else { 0 } {
+        let middle = (short * stretch).sqrt();
+        (short, stretch) = if fits(middle) { (short, middle) } else { (middle, stretch) };
     }
     let settled = stands.iter().enumerate().map(|(index, stand)| {
         let (numbers, list, squares) = stand.as_ref()?;
@@ -228,9 +232,7 @@ fn settle(world: &World, index: usize, origin: [i32; 2], list: &[Sighted], mut n
 pub fn plan_then(then: &World, index: usize, seen: &Seen, look: &Look, now: &BladePlan) -> Option<BladePlan> {
     let stand = &then.model.stands[index];
     let blade = stand.species.blade.as_ref()?;
-    let side = then.model.patch_side;
-    let eye = [0, 2].map(|axis| (seen.view.eye[axis] - f64::from(seen.origin[axis / 2]) * side) as f32);
-    let own = uniform(blade, &now.uniform.seen, Vec3::new(eye[0], seen.view.eye[1] as f32, eye[1]), look);
+    let own = uniform(blade, &now.uniform.seen, Vec3::from(seen.eye(then.model.patch_side)), look);
     let thinning = with_last(own.thinning, now.uniform.thinning[3]);
     let uniform = BladeUniform { thinning, rooms: now.uniform.rooms, firsts: now.uniform.firsts, ..own };
     let draws = now.draws.iter().map(|now| PatchDraw {

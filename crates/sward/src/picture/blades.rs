@@ -30,7 +30,7 @@ pub struct Blade {
     pub tint: f32,
     /// Turn about its own length at the tip, rad.
     pub twist: f32,
-    /// Gradient of the ground at its root.
+    /// Gradient of the ground at its root, rise over run along x and z.
     pub slope: [f32; 2],
     /// Its patch, as a number of the plan's draws.
     pub draw: u32,

@@ -65,6 +65,14 @@ pub struct Seen<'a> {
     pub behind: f64,
 }
 
+impl Seen<'_> {
+    /// The eye, m in frame space, where patches have this side \[m\].
+    pub(super) fn eye(&self, side: f64) -> [f32; 3] {
+        let [x, y, z] = self.view.eye;
+        [(x - f64::from(self.origin[0]) * side) as f32, y as f32, (z - f64::from(self.origin[1]) * side) as f32]
+    }
+}
+
 /// A patch in sight.
 pub(super) struct Sighted {
     pub(super) patch: PatchKey,

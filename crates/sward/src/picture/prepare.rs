@@ -62,18 +62,13 @@ pub struct PrepareUniform {
 impl PrepareUniform {
     /// What a stand's batch is prepared with; `plain` batches have one segment.
     pub fn new(world: &World, stand: &StandModel, plain: bool, seen: &Seen, look: &Look) -> Self {
-        let Seen { view, origin, fullness, behind } = *seen;
-        let side = world.model.patch_side;
+        let Seen { fullness, behind, .. } = *seen;
+        let [x, y, z] = seen.eye(world.model.patch_side);
         let billboard = &stand.species.billboard;
         Self {
             placement: stand.placement,
             grid: world.model.terrain.grid(),
-            camera: [
-                (view.eye[0] - f64::from(origin[0]) * side) as f32,
-                view.eye[1] as f32,
-                (view.eye[2] - f64::from(origin[1]) * side) as f32,
-                0.0,
-            ],
+            camera: [x, y, z, 0.0],
             segments: stand.species.segments(),
             drawn: if plain { 1 } else { billboard.segments },
             bits: bits(stand.cells),
