@@ -41,6 +41,19 @@ pub struct Circumstances<'a> {
     pub tolerance: f32,
     /// Steps per second.
     pub rate: f64,
+    /// Who gets a lag slot.
+    pub sharing: Sharing<'a>,
+}
+
+/// Who gets a lag slot.
+#[derive(Clone, Copy, Debug)]
+pub enum Sharing<'a> {
+    /// Patches near a focus, for their upper segments.
+    Near,
+    /// Patches that bodies reach, for blades with a state; they keep it until all blades have been handed back.
+    Reached(&'a BTreeSet<PatchKey>),
+    /// Those, and the awake patches nearest to a focus.
+    All(&'a BTreeSet<PatchKey>),
 }
 
 impl Circumstances<'_> {
@@ -96,7 +109,15 @@ pub fn activate(stand: &mut StandState, by: &Circumstances) {
     wanted.extend(&focused);
     wake(stand, by, &wanted, &pushed);
     wake_tile(stand, by);
-    share_lag_slots(stand, by);
+    match by.sharing {
+        Sharing::Near => share_lag_slots(stand, by),
+        Sharing::Reached(reached) => share_blade_slots(stand, by, reached, reached),
+        Sharing::All(reached) => {
+            let awake = stand.awake.iter().filter(|(patch, awake)| **patch != TILE && awake.fading == 0).map(|(patch, _)| *patch);
+            let wanted = awake.filter(|patch| by.distance(*patch) < by.focus_distance || reached.contains(patch)).collect();
+            share_blade_slots(stand, by, reached, &wanted);
+        }
+    }
 }
 
 fn finish_fades(stand: &mut StandState) {
@@ -129,6 +150,7 @@ fn read_summary(stand: &mut StandState, by: &Circumstances) -> BTreeSet<PatchKey
     for (patch, summary) in stand.summaries.pop_front().unwrap_or_default().1 {
         stand.counters.clamped += u64::from(summary.clamped);
         let Some(awake) = stand.awake.get_mut(&patch) else { continue };
+        awake.held = summary.held;
         awake.rest = if is_over(summary.largest, limit) { 0 } else { awake.rest + 1 };
         if awake.fading > 0 || awake.wind_only || patch == TILE {
             continue;
@@ -170,7 +192,9 @@ fn put_to_sleep(stand: &mut StandState, by: &Circumstances, focused: &BTreeSet<P
     for patch in resting {
         stand.counters.slept += 1;
         // In gusts a patch at rest still differs from β_eq by what its inertia makes it trail.
-        if by.gusty { fade(stand, patch, by) } else { release(stand, patch) }
+        // So do blades with a state of their own from what virtual ones would have them do.
+        let own = matches!(by.sharing, Sharing::All(_));
+        if by.gusty || own { fade(stand, patch, by) } else { release(stand, patch) }
     }
 }
 
@@ -200,7 +224,7 @@ fn wake(stand: &mut StandState, by: &Circumstances, wanted: &BTreeSet<PatchKey>,
             continue;
         };
         let wind_only = !by.touched.contains(&patch) && !pushed.contains(&patch);
-        let awake = Awake { slot, lag: NONE, rest: 0, fading: 0, woken: true, lag_woken: false, wind_only };
+        let awake = Awake { slot, woken: true, wind_only, ..Awake::default() };
         stand.awake.insert(patch, awake);
         stand.counters.woken += 1;
     }
@@ -213,7 +237,7 @@ fn wake_tile(stand: &mut StandState, by: &Circumstances) {
         && !stand.awake.contains_key(&TILE)
         && let Some(slot) = stand.free.pop_first()
     {
-        let awake = Awake { slot, lag: NONE, rest: 0, fading: 0, woken: true, lag_woken: false, wind_only: true };
+        let awake = Awake { slot, woken: true, wind_only: true, ..Awake::default() };
         stand.awake.insert(TILE, awake);
     }
 }
@@ -248,6 +272,56 @@ fn share_lag_slots(stand: &mut StandState, by: &Circumstances) {
             && let Some(slot) = stand.lag_free.pop_first()
         {
             (awake.lag, awake.lag_woken) = (slot, true);
+        }
+    }
+}
+
+/// Room for blades with a state: for `wanted` patches, those nearest to a focus first, those that bodies reach now before all others.
+fn share_blade_slots(stand: &mut StandState, by: &Circumstances, reached: &BTreeSet<PatchKey>, wanted: &BTreeSet<PatchKey>) {
+    let mut queue: Vec<(bool, f64, PatchKey)> = (wanted.iter().filter(|patch| stand.awake.contains_key(*patch)))
+        .map(|patch| (!reached.contains(patch), by.distance(*patch), *patch))
+        .collect();
+    queue.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+    let capacity = stand.lag_free.len() + stand.awake.values().filter(|awake| awake.lag != NONE).count();
+    queue.truncate(capacity);
+    let keep: BTreeSet<PatchKey> = queue.iter().map(|(_, _, patch)| *patch).collect();
+    let mut done = Vec::new();
+    for (patch, awake) in stand.awake.iter_mut().filter(|(_, awake)| awake.lag != NONE) {
+        if reached.contains(patch) {
+            (awake.held, awake.touched) = (u32::MAX, LATENCY as u32 + 1);
+        }
+        awake.touched = awake.touched.saturating_sub(1);
+        awake.handing = !keep.contains(patch) && (awake.handing || matches!(by.sharing, Sharing::All(_)));
+        // What was heard may be older than the last touch.
+        if awake.held == 0 && awake.touched == 0 && !keep.contains(patch) {
+            done.push(std::mem::replace(&mut awake.lag, NONE));
+            awake.handing = false;
+        }
+    }
+    stand.lag_free.extend(done);
+    let mut waiting = 0;
+    for (_, _, patch) in queue {
+        let Some(awake) = stand.awake.get_mut(&patch).filter(|awake| awake.lag == NONE) else { continue };
+        match stand.lag_free.pop_first() {
+            Some(slot) => {
+                (awake.lag, awake.lag_woken, awake.handing) = (slot, true, false);
+                (awake.held, awake.touched) = (u32::MAX, LATENCY as u32 + 1);
+            }
+            None => waiting += 1,
+        }
+    }
+    stand.counters.denied += waiting;
+    hand_back(stand, by, &keep, waiting as usize);
+}
+
+/// As many patches as wait for room hand their blades back, settled or not: those farthest from every focus.
+fn hand_back(stand: &mut StandState, by: &Circumstances, keep: &BTreeSet<PatchKey>, waiting: usize) {
+    let holders = stand.awake.iter().filter(|(patch, awake)| awake.lag != NONE && !keep.contains(*patch));
+    let mut holders: Vec<(f64, PatchKey)> = holders.map(|(patch, _)| (by.distance(*patch), *patch)).collect();
+    holders.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    for (_, patch) in holders.into_iter().take(waiting) {
+        if let Some(awake) = stand.awake.get_mut(&patch) {
+            awake.handing = true;
         }
     }
 }

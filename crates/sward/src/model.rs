@@ -13,6 +13,7 @@ use crate::growth::{Growth, Limit};
 use crate::interaction::{FigureBody, Piece, pieces_of};
 use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
+use crate::response::chain::ChainModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::scene::{
     Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
@@ -215,6 +216,7 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
     for (index, stand) in scene.stands.iter().enumerate() {
         let species = stand.resolve()?;
         let spacing = patch_side / f64::from(stand.cells);
+        let chain = chain_model(scene, index, &species, patch_side)?;
         let plant_height = 0.5 * (species.height[0] + species.height[1]);
         let (coefficients, substeps) = Coefficients::new(&species.continuum, dt, spacing, plant_height);
         let placement = PlacementParameters {
@@ -231,7 +233,8 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
             name: stand.label(),
             growth: Growth { limits: own.map(|(limit, _)| Arc::clone(limit)).collect(), slopes: stand.slope },
             lag: LagCoefficients::new(&species.continuum, species.segments(), dt),
-            tolerance: tolerance(&species, sources),
+            tolerance: tolerance(&species, chain.as_ref(), sources),
+            chain,
             species,
             cells: stand.cells,
             patch_side,
@@ -244,14 +247,40 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
     Ok(stands)
 }
 
+/// Most bytes of the blades of one patch: what WebGPU lets a buffer bind.
+const MOST_BLADE_BYTES: u64 = 128 << 20;
+
+/// What moves a stand blade by blade, if it does.
+fn chain_model(scene: &Scene, index: usize, species: &SpeciesModel, patch_side: f64) -> Result<Option<ChainModel>, SceneError> {
+    let trail = |key| Trail::default().key("stands").index(index).key(key);
+    let Some(chain) = ChainModel::of(species, patch_side) else { return Ok(None) };
+    let chain = chain.map_err(|error| SceneError::in_file("", error.to_string()).named_by(trail("response")))?;
+    let (cells, budget) = (scene.stands[index].cells, scene.budget.stateful_blades);
+    let blades = chain.blades_of_patch(cells);
+    let most = (MOST_BLADE_BYTES / (4 * chain.planes() as u64)).min(u64::from(budget));
+    if u64::from(blades) > most {
+        let message = format!("a patch has {cells} × {cells} cells of {} blades, {blades} in all; at most {most} can have a state", chain.stances.blades);
+        let help = if u64::from(budget) > most || u64::from(blades) * 4 * chain.planes() as u64 > MOST_BLADE_BYTES {
+            "give the stand fewer cells, or its plants fewer blades".to_owned()
+        } else {
+            format!("write `budget: (stateful_blades: {blades})`, or give the stand fewer cells, or its plants fewer blades")
+        };
+        return Err(SceneError::in_file("", message).named_by(trail("response")).advise(&help));
+    }
+    Ok(Some(chain))
+}
+
 /// 1e-3 in still or steady air. In gusts plants trail β_eq by their inertia for ever, slow ones by nearly the whole swing, and some
 /// cell of a patch always meets a rare gust: what gusts of four standard deviations make of the mean bend is rest there, and the
 /// patch fades into β_eq.
-fn tolerance(species: &SpeciesModel, sources: &[Source]) -> f32 {
+fn tolerance(species: &SpeciesModel, chain: Option<&ChainModel>, sources: &[Source]) -> f32 {
     let wind = crate::wind::WindField::at(sources, 0, 1.0, 1.0);
     let mean = (wind.mean[0] * wind.mean[0] + wind.mean[1] * wind.mean[1]).sqrt();
     let rare = 2.0 * (wind.gust_speed() - mean);
-    let bend = |speed: f32| crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0];
+    let bend = |speed: f32| match chain {
+        Some(chain) => chain.steady.lean(speed),
+        None => crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0],
+    };
     let lull = if mean > rare { mean - rare } else { 0.0 };
     let (up, down) = (bend(mean + rare) - bend(mean), bend(mean) - bend(lull));
     crate::response::continuum::REST + if rare == 0.0 { 0.0 } else { crate::math::upper(up, down) }

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
+use crate::interaction::solid::Solids;
 use crate::interaction::{Contact, ContactEdge, Footprint};
-use crate::state::{NONE, PatchKey};
+use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
 use crate::wind::WindField;
 
 /// One step, planned.
@@ -30,6 +31,8 @@ pub struct StandPlan {
     pub edges: Vec<ContactEdge>,
     /// Which footprints reach which patch, patch by patch.
     pub pairs: Vec<ContactPair>,
+    /// Bodies as solids, patch by patch; of stands that move blade by blade.
+    pub solids: Solids,
 }
 
 /// A footprint that reaches a patch.
@@ -62,6 +65,16 @@ pub struct PatchPlan {
     pub lag_woken: bool,
     /// Its footprints in [`StandPlan::pairs`].
     pub pairs: Range<usize>,
+    /// Slots of the 3×3 patches around it, or [`NONE`].
+    pub around: [u32; 9],
+    /// How far its own state rules over the wind's rest at its corners: see [`weights`].
+    pub weights: [f32; 4],
+    /// Its solids in [`StandPlan::solids`].
+    pub solids: Range<usize>,
+    /// Pixels of a metre, in a picture of 1080 rows, where the nearest focus is.
+    pub pixels: f32,
+    /// Its blades are handed back, settled or not.
+    pub handing: bool,
 }
 
 impl PatchPlan {
@@ -69,6 +82,30 @@ impl PatchPlan {
     pub fn neighbour(&self, side: usize) -> Option<usize> {
         (self.neighbours[side] != NONE).then_some(self.neighbours[side] as usize)
     }
+}
+
+/// Slots of the 3×3 patches around one, or [`NONE`]: where a patch sleeps, the tiled one stands in if there is one; its cells wrap around.
+pub fn around(state: &StandState, patch: PatchKey, pick: fn(&Awake) -> u32) -> [u32; 9] {
+    let mut found = [NONE; 9];
+    for (k, slot) in found.iter_mut().enumerate() {
+        let key = if patch == TILE { TILE } else { [patch[0].wrapping_add(k as i32 % 3 - 1), patch[1].wrapping_add(k as i32 / 3 - 1)] };
+        *slot = state.awake.get(&key).or_else(|| state.awake.get(&TILE)).map_or(NONE, pick);
+    }
+    found
+}
+
+/// Weights at a patch's corners (−−, +−, −+, ++): one that only the wind keeps awake gives way to its rest towards sleeping neighbours.
+pub fn weights(state: &StandState, patch: PatchKey) -> [f32; 4] {
+    if !state.awake.get(&patch).is_some_and(|awake| awake.wind_only) || patch == TILE {
+        return [1.0; 4];
+    }
+    [[-1, -1], [0, -1], [-1, 0], [0, 0]].map(|[x, z]| {
+        let all = [[0, 0], [1, 0], [0, 1], [1, 1]].iter().all(|[dx, dz]| {
+            let key = [patch[0].wrapping_add(x + dx), patch[1].wrapping_add(z + dz)];
+            state.awake.contains_key(&key)
+        });
+        if all { 1.0 } else { 0.0 }
+    })
 }
 
 /// Patches under a footprint grown by `margin` cells.

@@ -5,13 +5,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::response::continuum;
+use crate::response::{chain, continuum};
 use crate::state::{Awake, BodyState, Counters, NONE, PatchKey, State, Summary};
 use crate::terrain::Edits;
 use crate::world::World;
 
 /// What [`World::save`] writes and [`World::restore`] reads.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 const MAGIC: &[u8; 10] = b"SWARDSTATE";
 /// Far beyond any bend \[rad\] or velocity \[rad/s\] that the limits leave, and small enough that a step stays finite.
 const FARTHEST: f32 = 1e4;
@@ -67,6 +67,7 @@ struct SavedStand {
     old: Vec<f32>,
     upper: Vec<f32>,
     history: Vec<f32>,
+    virtual_states: Vec<f32>,
 }
 
 /// FNV-1a.
@@ -93,6 +94,7 @@ impl World {
                 old: planes(&stand.cells.old, |awake| awake.slot),
                 upper: planes(&stand.cells.lag, |awake| awake.lag),
                 history: planes(&stand.cells.history, |awake| awake.lag),
+                virtual_states: planes(&stand.cells.virtual_states, |awake| awake.slot),
             }
         });
         let saved = Saved {
@@ -190,9 +192,19 @@ impl World {
         let model = &self.model.stands[index];
         let mut stand = self.empty_stand(model);
         let area = (model.cells * model.cells) as usize;
-        let [upper, ring] = continuum::lag_planes(&model.lag).map(|planes| planes * area);
-        let mut planes = [&saved.now, &saved.old, &saved.upper, &saved.history].map(|values| values.iter().copied());
-        let [now, old, uppers, past] = &mut planes;
+        let [level, upper, ring, state] = match &model.chain {
+            Some(chain) => {
+                let [moments, states, blades] = chain::sizes(chain, model.cells);
+                [moments, blades, 0, states]
+            }
+            None => {
+                let [upper, ring] = continuum::lag_planes(&model.lag).map(|planes| planes * area);
+                [4 * area, upper, ring, 0]
+            }
+        };
+        let mut planes =
+            [&saved.now, &saved.old, &saved.upper, &saved.history, &saved.virtual_states].map(|values| values.iter().copied());
+        let [now, old, uppers, past, states] = &mut planes;
         let counters = saved.counters;
         let counts = [
             counters.woken,
@@ -212,14 +224,20 @@ impl World {
             if !taken || stand.awake.insert(patch, awake).is_some() {
                 return Err(SavedError::Damaged("two patches share one place"));
             }
-            fill(&mut stand.cells.now, awake.slot, 4 * area, now)?;
-            fill(&mut stand.cells.old, awake.slot, 4 * area, old)?;
+            fill(&mut stand.cells.now, awake.slot, level, now)?;
+            fill(&mut stand.cells.old, awake.slot, level, old)?;
+            fill(&mut stand.cells.virtual_states, awake.slot, state, states)?;
             let ground = &mut stand.cells.ground;
             ground.resize(ground.len().max(awake.slot as usize + 1), Default::default());
             ground[awake.slot as usize] = continuum::ground_of(&self.model.terrain, model, patch);
             if awake.lag != NONE {
                 fill(&mut stand.cells.lag, awake.lag, upper, uppers)?;
                 fill(&mut stand.cells.history, awake.lag, ring, past)?;
+                if let Some(chain) = &model.chain {
+                    let roots = &mut stand.cells.roots;
+                    roots.resize(roots.len().max(awake.lag as usize + 1), Box::default());
+                    roots[awake.lag as usize] = chain::roots(&self.model.terrain, model, chain, patch);
+                }
             }
         }
         if planes.iter().any(|values| values.len() > 0) {

@@ -54,6 +54,9 @@ impl State {
                 let slot = awake.slot as usize;
                 let levels = stand.cells.now.get(slot).into_iter().chain(stand.cells.old.get(slot));
                 levels.flat_map(|level| level.iter()).for_each(|value| hash.add(value.to_bits()));
+                if let Some(blades) = stand.cells.blades(awake.lag) {
+                    blades.iter().for_each(|value| hash.add(value.to_bits()));
+                }
             }
         }
         hash.0
@@ -116,21 +119,48 @@ pub struct Awake {
     pub lag_woken: bool,
     /// Only the focus keeps it awake: no body or neighbour has pushed it.
     pub wind_only: bool,
+    /// Blades with a state of their own, as last heard; more than any number until then.
+    pub held: u32,
+    /// Steps for which what is heard of them may be older than the last touch.
+    pub touched: u32,
+    /// Its blades are handed back, settled or not: their place is needed, or is farther off than others.
+    pub handing: bool,
 }
 
-/// Cells on the CPU. Planar per patch: βx, βz, ωx, ωz, each cells², row-major.
+impl Default for Awake {
+    fn default() -> Self {
+        let (woken, lag_woken, wind_only, handing) = (false, false, false, false);
+        Self { slot: 0, lag: NONE, rest: 0, fading: 0, woken, lag_woken, wind_only, held: 0, touched: 0, handing }
+    }
+}
+
+/// Cells on the CPU. Planar per patch: βx, βz, ωx, ωz, each cells², row-major. Of a stand that moves blade by blade: its virtual blades, and blades
+/// with a state.
 #[derive(Clone, Debug, Default)]
 pub struct Cells {
-    /// Time level n, per slot; 4·cells² values or empty.
+    /// Time level n, per slot; 4·cells² values or empty. Blade by blade: the moments of virtual blades \[N·m\], x and y of each segment.
     pub now: Vec<Box<[f32]>>,
     /// Time level n−1 (before the step) or n+1 (after it), likewise.
     pub old: Vec<Box<[f32]>>,
-    /// Upper segments per lag slot: β_1x, β_1z, β_2x, … each cells².
+    /// Upper segments per lag slot: β_1x, β_1z, β_2x, … each cells². Blade by blade, per lag slot: of each segment ψx, ψy, ωx, ωy; of each ψx, ψy a step
+    /// before; hold and the hold before ([`crate::response::chain::HeldBlade`]); a value for every blade of the patch.
     pub lag: Vec<Box<[f32]>>,
     /// Past β for the `history` lag, per lag slot: ring of [βx, βz] pairs of planes.
     pub history: Vec<Box<[f32]>>,
+    /// States of virtual blades per slot, where a stand moves blade by blade: of each segment ψx, ψy, ωx, ωy.
+    pub virtual_states: Vec<Box<[f32]>>,
+    /// Where the blades of each lag slot stand; derived, kept while they have one.
+    pub roots: Vec<Box<[Root]>>,
     /// Ground under each slot's cells; derived, kept while the patch is awake.
     pub ground: Vec<Ground>,
+}
+
+impl Cells {
+    /// The blades of a lag slot, where they have states of their own.
+    pub fn blades(&self, lag: u32) -> Option<&[f32]> {
+        self.roots.get(lag as usize).filter(|roots| !roots.is_empty())?;
+        self.lag.get(lag as usize).map(|blades| &blades[..])
+    }
 }
 
 /// The ground under the cells of a patch, sampled once when it wakes: ∂height/∂x, ∂height/∂z and height \[m\], planes of cells²
@@ -174,6 +204,28 @@ impl Ground {
     }
 }
 
+/// Where a blade with a state stands, and how it does by itself. The same bytes as in WGSL.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Root {
+    /// m from the patch's corner; y is absolute.
+    pub at: [f32; 3],
+    /// Length, m; 0 where none grows.
+    pub length: f32,
+    /// Where it leans, rad from +x towards +z.
+    pub yaw: f32,
+    /// Lean at the root, rad.
+    pub lean: f32,
+    /// How much farther the tip leans, rad.
+    pub curl: f32,
+    /// 0.
+    pub unused: f32,
+    /// Gradient of the ground, along x and z.
+    pub slope: [f32; 2],
+    /// 0.
+    pub more_unused: [f32; 2],
+}
+
 /// What activation needs to know of a patch after a step: squared deviations max(|β − β_eq|², |ω|²).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
@@ -183,6 +235,8 @@ pub struct Summary {
     pub borders: [f32; 4],
     /// Cells scaled back by the limits.
     pub clamped: u32,
+    /// Blades with a state of their own.
+    pub held: u32,
 }
 
 /// What happened so far.

@@ -2,12 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::activation::{BAND, Circumstances, activate, keep};
+use crate::activation::{BAND, Circumstances, Sharing, activate, keep};
+use crate::interaction::solid::{Solids, WorldSolid};
 use crate::interaction::{Footprint, Grid, Piece, Pose, Station, pose_on_path, stand_on, station, swept, swept_between};
 use crate::lanes::Lanes;
 use crate::model::{Assets, Blower, Model, StandModel, rebased};
-use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, patches_under};
-use crate::response::continuum;
+use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, around, patches_under, weights};
+use crate::response::chain::{ChainModel, Standing};
+use crate::response::{Stage, chain, continuum};
 use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
 use crate::state::{BodyState, NONE, PatchKey, StandState, State, Summary, TILE};
 use crate::terrain::TerrainError;
@@ -16,6 +18,8 @@ use crate::wind::WindField;
 
 /// Faster than this, m/s, a body has jumped: it sweeps nothing.
 const JUMP: f64 = 150.0;
+/// No camera is nearer to a blade, m.
+const NEAREST: f64 = 1.0;
 /// Farther from the origin patch, m, a body cannot be driven: cell numbers would run out.
 const FARTHEST: f64 = 1e8;
 
@@ -124,13 +128,15 @@ impl World {
     /// Ground → bodies → wind → activation: everything about the coming step that is decided before a cell moves.
     pub fn plan(&mut self) -> Plan {
         self.edit_ground();
-        let footprints = self.move_bodies();
+        let moving = self.move_bodies();
         let camera = self.camera();
         self.state.focuses = if self.state.pinned.is_empty() { vec![camera.focus()] } else { self.state.pinned.clone() };
         let mut stands = Vec::new();
-        for (index, footprints) in footprints.iter().enumerate() {
-            self.activate(index, footprints, &camera);
-            stands.push(self.plan_stand(index, footprints));
+        for index in 0..self.model.stands.len() {
+            let footprints = self.footprints(&self.model.stands[index], &moving);
+            let solids = self.solids(&self.model.stands[index], &moving);
+            self.activate(index, &footprints, &solids, &camera);
+            stands.push(self.plan_stand(index, &footprints, &solids));
         }
         Plan { step: self.state.step, stands }
     }
@@ -141,12 +147,17 @@ impl World {
     }
 
     /// As [`World::respond`]; `ended` hears of each stage that has just ended, for callers with a clock.
-    pub fn respond_in_stages(&mut self, plan: &Plan, ended: &mut dyn FnMut(continuum::Stage)) -> Vec<Vec<(PatchKey, Summary)>> {
+    pub fn respond_in_stages(&mut self, plan: &Plan, ended: &mut dyn FnMut(Stage)) -> Vec<Vec<(PatchKey, Summary)>> {
         let mut summaries = Vec::new();
         for ((stand, plan_of), state) in self.model.stands.iter().zip(&plan.stands).zip(&mut self.state.stands) {
-            summaries.push(continuum::step(&self.model.terrain, stand, plan_of, &mut state.cells, self.lanes, ended));
-            continuum::lags(stand, plan_of, &mut state.cells, plan.step, self.lanes);
-            ended(continuum::Stage::Lags);
+            let (terrain, cells) = (&self.model.terrain, &mut state.cells);
+            if let Some(chain) = &stand.chain {
+                summaries.push(chain::step_stand(terrain, stand, chain, plan_of, cells, self.model.dt as f32, ended));
+                continue;
+            }
+            summaries.push(continuum::step(terrain, stand, plan_of, cells, self.lanes, ended));
+            continuum::lags(stand, plan_of, cells, plan.step, self.lanes);
+            ended(Stage::Lags);
         }
         summaries
     }
@@ -232,7 +243,8 @@ impl World {
         }
     }
 
-    /// β \[rad\] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps.
+    /// β \[rad\] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps. Of a stand that moves
+    /// blade by blade: of the tip of an upright blade that nobody has touched.
     /// `None` for an unknown stand. Where a GPU steps, download its cells first: the answer is of the cells held here.
     pub fn bend_at(&self, stand: usize, ground: [f64; 2]) -> Option<[f32; 2]> {
         let (model, state) = (self.model.stands.get(stand)?, self.state.stands.get(stand)?);
@@ -240,6 +252,10 @@ impl World {
         let cell = ground.map(|metres| (metres / model.spacing).floor() as i64);
         let patch = cell.map(|k| k.div_euclid(side) as i32);
         let [i, j] = cell.map(|k| k.rem_euclid(side));
+        if let Some(chain) = &model.chain {
+            let local = [0, 1].map(|axis: usize| (ground[axis] - f64::from(patch[axis]) * model.patch_side) as f32);
+            return Some(self.blade_bend(model, chain, state, patch, local));
+        }
         match state.awake.get(&patch).or_else(|| state.awake.get(&TILE)).and_then(|awake| state.cells.now.get(awake.slot as usize)) {
             Some(cells) => {
                 let at = (j * side + i) as usize;
@@ -247,6 +263,19 @@ impl World {
             }
             None => Some(continuum::Rest::of(&self.wind(model), patch, model.cells, model.species.continuum.wind).at(i as i32, j as i32)),
         }
+    }
+
+    /// How far the tip of an upright blade without a state leans at a place of a patch.
+    fn blade_bend(&self, stand: &StandModel, chain: &ChainModel, state: &StandState, patch: PatchKey, local: [f32; 2]) -> [f32; 2] {
+        let wind = self.wind(stand);
+        let phases = wind.patch_phases(patch, stand.cells / continuum::NODE_CELLS);
+        let slots = around(state, patch, |awake| awake.slot);
+        let standing = Standing { chain, around: slots, weights: weights(state, patch), patch_side: stand.patch_side as f32 };
+        let moments = standing.moments(&state.cells.now, local, || wind.velocity_local(&phases, local));
+        let bends = standing.pose(&chain::UPRIGHT, 0.0, &moments);
+        let mut leans = [[0.0; 2]; chain::MOST_SEGMENTS];
+        chain::leans(chain, &chain::UPRIGHT, [1.0, 0.0], [0.0; 2], &bends, &mut leans);
+        leans[chain.coefficients.segments as usize - 1]
     }
 
     /// A fingerprint of the state's cells: see [`State::hash`].
@@ -287,6 +316,21 @@ impl World {
         crate::wind::Footprint::new(blower.flow, &self.model.images, at.ground, turn, source.radius, speed, intervals, node)
     }
 
+    /// Pixels of a metre, in a picture of 1080 rows, where a patch is nearest to a focus.
+    fn pixels(&self, patch: PatchKey) -> f32 {
+        let side = self.model.patch_side;
+        let away = |focus: &[f64; 2]| {
+            let outside = |axis: usize| {
+                let low = f64::from(patch[axis]) * side;
+                (low - focus[axis]).max(focus[axis] - low - side).max(0.0)
+            };
+            (outside(0) * outside(0) + outside(1) * outside(1)).sqrt()
+        };
+        let nearest = self.state.focuses.iter().map(away).fold(f64::MAX, f64::min);
+        let (sine, cosine) = crate::math::sin_cos_f64(0.5 * f64::from(self.scene.camera.field_of_view));
+        (540.0 * cosine / sine / nearest.max(NEAREST)) as f32
+    }
+
     fn pose(&self, index: usize, time: f64) -> Option<Pose> {
         let (interactor, body) = (&self.scene.interactors[index], &self.model.bodies[index]);
         if time < interactor.from || time >= interactor.until {
@@ -302,8 +346,8 @@ impl World {
         })
     }
 
-    /// Poses at the end of the coming step, and the footprints each stand sees, in body order.
-    fn move_bodies(&mut self) -> Vec<Vec<Footprint>> {
+    /// Poses at the end of the coming step. Returns the pieces of bodies whose own parts move, before and after the step, in body order.
+    fn move_bodies(&mut self) -> Vec<Vec<[Piece; 2]>> {
         let time = (self.state.step + 1) as f64 * self.model.dt;
         for index in 0..self.state.bodies.len() {
             let next = self.pose(index, time);
@@ -320,13 +364,38 @@ impl World {
             body.clock = [if body.before == next && next != body.pose { elapsed } else { elapsed - self.model.dt }, elapsed];
             body.pose = next;
         }
-        let pieces: Vec<Vec<[Piece; 2]>> =
-            self.model.bodies.iter().zip(&self.state.bodies).map(|(body, state)| body.pieces_between(state)).collect();
-        self.model.stands.iter().map(|stand| self.footprints(stand, &pieces)).collect()
+        self.model.bodies.iter().zip(&self.state.bodies).map(|(body, state)| body.pieces_between(state)).collect()
     }
 
-    /// `moving`: pieces of bodies whose own parts move, before and after the step.
+    /// The bodies as solids, of a stand that moves blade by blade; none too high to touch it.
+    fn solids(&self, stand: &StandModel, moving: &[Vec<[Piece; 2]>]) -> Vec<WorldSolid> {
+        let mut solids = Vec::new();
+        let bodies = self.model.bodies.iter().zip(&self.state.bodies).enumerate().filter(|_| stand.chain.is_some());
+        for (index, (body, state)) in bodies {
+            let (Some(before), Some(now)) = (&state.before, &state.pose) else { continue };
+            let pieces: Vec<&Piece> = match body.is_animated() {
+                true => moving[index].iter().map(|[_, after]| after).collect(),
+                false => body.pieces.iter().collect(),
+            };
+            solids.extend(WorldSolid::during(&pieces, before, now, index as u32));
+        }
+        let height = f64::from(stand.species.height[1]);
+        solids.retain(|solid| {
+            let [low, high] = solid.reach();
+            let ground = self.model.terrain.height_at(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]));
+            // With room for slopes.
+            let reach = 0.5 * ((high[0] - low[0]) + (high[1] - low[1]));
+            solid.lowest() - ground < height + reach
+        });
+        solids
+    }
+
+    /// Footprints that bodies sweep, in body order, of a stand that moves as a whole. `moving`: pieces of bodies whose own parts move, before and after
+    /// the step.
     fn footprints(&self, stand: &StandModel, moving: &[Vec<[Piece; 2]>]) -> Vec<Footprint> {
+        if stand.chain.is_some() {
+            return Vec::new();
+        }
         let grid = Grid { spacing: stand.spacing, plant_height: stand.coefficients.plant_height };
         let mut footprints = Vec::new();
         for (index, (body, state)) in self.model.bodies.iter().zip(&self.state.bodies).enumerate() {
@@ -342,17 +411,19 @@ impl World {
         footprints
     }
 
-    fn activate(&mut self, index: usize, footprints: &[Footprint], camera: &View) {
+    fn activate(&mut self, index: usize, footprints: &[Footprint], solids: &[WorldSolid], camera: &View) {
         let stand = &self.model.stands[index];
+        let length = f64::from(stand.species.height[1]);
+        let reached: BTreeSet<PatchKey> = solids.iter().flat_map(|solid| patches_within(solid, length, self.model.patch_side)).collect();
         let margin = BAND as i64 + 1;
         let side = i64::from(stand.cells);
-        let mut touched = BTreeSet::new();
+        let mut touched = reached.clone();
         for footprint in footprints.iter().filter(|footprint| reaches(&self.model, footprint, stand)) {
             for patch in patches_under(footprint, side, margin) {
                 touched.insert(patch);
             }
         }
-        if stand.species.continuum.wind > 0.0 {
+        if stand.feels_wind() {
             self.wind(stand).footprints.iter().for_each(|print| touched.extend(blown_patches(print, self.model.patch_side)));
         }
         let budget = &self.scene.budget;
@@ -365,16 +436,21 @@ impl World {
             patch_side: self.model.patch_side,
             focus_distance: f64::from(budget.focus_distance),
             lag_distance: f64::from(budget.lag_distance),
-            gusty: self.model.gusty && stand.species.continuum.wind > 0.0,
+            gusty: self.model.gusty && stand.feels_wind(),
             tiled: self.scene.budget.beyond == Beyond::Tiled,
             tolerance: stand.tolerance,
             rate: f64::from(self.model.rate),
+            sharing: match &stand.chain {
+                None => Sharing::Near,
+                Some(chain) if chain.all => Sharing::All(&reached),
+                Some(_) => Sharing::Reached(&reached),
+            },
         };
         let stand = &mut self.state.stands[index];
         activate(stand, &by);
     }
 
-    fn plan_stand(&self, index: usize, footprints: &[Footprint]) -> StandPlan {
+    fn plan_stand(&self, index: usize, footprints: &[Footprint], solids: &[WorldSolid]) -> StandPlan {
         let (stand, state) = (&self.model.stands[index], &self.state.stands[index]);
         let side = i64::from(stand.cells);
         let wind = self.wind(stand);
@@ -385,6 +461,7 @@ impl World {
             contacts: Vec::new(),
             edges: Vec::new(),
             pairs: Vec::new(),
+            solids: Solids::default(),
         };
         let mut reached: BTreeMap<PatchKey, Vec<ContactPair>> = BTreeMap::new();
         for footprint in footprints {
@@ -404,7 +481,19 @@ impl World {
                 let key = if *patch == TILE { TILE } else { [patch[0].wrapping_add(dx), patch[1].wrapping_add(dz)] };
                 state.awake.get(&key).map_or(NONE, |awake| awake.slot)
             };
+            let first_solid = plan.solids.heads.len();
+            if awake.lag != NONE && stand.chain.is_some() {
+                let corner = patch.map(|p| f64::from(p) * self.model.patch_side);
+                let length = f64::from(stand.species.height[1]);
+                let near = solids.iter().filter(|solid| patches_within(solid, length, self.model.patch_side).any(|key| key == *patch));
+                near.for_each(|solid| solid.add_to(&mut plan.solids, corner));
+            }
             plan.patches.push(PatchPlan {
+                around: around(state, *patch, |awake| awake.slot),
+                weights: weights(state, *patch),
+                solids: first_solid..plan.solids.heads.len(),
+                pixels: self.pixels(*patch),
+                handing: awake.handing,
                 patch: *patch,
                 slot: awake.slot,
                 lag: awake.lag,
@@ -418,6 +507,17 @@ impl World {
         }
         plan
     }
+}
+
+/// Patches that blades stand in which a solid can touch: those are `length` m long at most.
+fn patches_within(solid: &WorldSolid, length: f64, patch_side: f64) -> impl Iterator<Item = PatchKey> + use<> {
+    let [low, high] = solid.reach();
+    let span = |axis: usize| {
+        let patch = |metres: f64| (metres / patch_side).floor() as i32;
+        patch(low[axis] - length)..=patch(high[axis] + length)
+    };
+    let (xs, zs) = (span(0), span(1));
+    zs.flat_map(move |z| xs.clone().map(move |x| [x, z]))
 }
 
 /// Patches that a footprint reaches: those of its square.
@@ -443,8 +543,12 @@ fn reaches(model: &Model, footprint: &Footprint, stand: &StandModel) -> bool {
     lowest - ground < f64::from(stand.coefficients.plant_height) + reach
 }
 
-/// Patches that can keep upper segments: as many as fit a disc of the lag distance and half a patch around one focus.
+/// Patches that can keep upper segments: as many as fit a disc of the lag distance and half a patch around one focus. Or that can keep
+/// blades with a state: as many as the budget holds.
 fn lag_capacity(scene: &Scene, stand: &StandModel) -> u32 {
+    if let Some(chain) = &stand.chain {
+        return (scene.budget.stateful_blades / chain.blades_of_patch(stand.cells).max(1)).min(scene.budget.patches);
+    }
     if stand.lag.segments < 2 {
         return 0;
     }

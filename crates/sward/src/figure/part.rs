@@ -31,6 +31,8 @@ pub struct Posed {
     pub gradient: [f64; 2],
     /// Height of the lowest corner, m.
     pub lowest: f64,
+    /// Height of the highest corner, m.
+    pub highest: f64,
 }
 
 impl Part {
@@ -67,18 +69,19 @@ impl Part {
         if steep > STEEPEST {
             gradient = gradient.map(|slope| slope * STEEPEST / steep);
         }
-        let (mut height, mut lowest) = (f64::MAX, f64::MAX);
+        let (mut height, mut lowest, mut top) = (f64::MAX, f64::MAX, f64::MIN);
         for point in &points {
             let above = point.y - gradient[0] * (point.x - middle.x) - gradient[1] * (point.z - middle.z);
             height = if above < height { above } else { height };
             lowest = if point.y < lowest { point.y } else { lowest };
+            top = if point.y > top { point.y } else { top };
         }
         // Made less steep, it may be worse than a level one.
         if lowest > height {
             (height, gradient) = (lowest, [0.0; 2]);
         }
         let outline = points.iter().map(|point| [point.x, point.z]).collect();
-        Some(Posed { outline, under: [middle.x, height, middle.z], gradient, lowest })
+        Some(Posed { outline, under: [middle.x, height, middle.z], gradient, lowest, highest: top })
     }
 }
 

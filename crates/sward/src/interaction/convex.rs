@@ -29,14 +29,14 @@ pub struct Footprint {
 const LARGEST: i64 = 1 << 14;
 
 /// Outline of the piece on the ground at a pose, m from the authored origin.
-fn outline_at(piece: &Piece, pose: &Pose) -> impl Iterator<Item = [f64; 2]> {
+pub(super) fn outline_at(piece: &Piece, pose: &Pose) -> impl Iterator<Item = [f64; 2]> {
     let (sine, cosine) = math::sin_cos_f64(pose.yaw);
     let ground = pose.ground;
     piece.outline.iter().map(move |p| [ground[0] + cosine * p[0] + sine * p[1], ground[1] - sine * p[0] + cosine * p[1]])
 }
 
 /// Counter-clockwise convex hull (x to the right, z up the page), starting at the lowest (x, z); collinear points dropped.
-fn hull(mut points: Vec<[i32; 2]>) -> Vec<[i32; 2]> {
+pub(super) fn hull(mut points: Vec<[i32; 2]>) -> Vec<[i32; 2]> {
     points.sort_unstable();
     points.dedup();
     if points.len() < 3 {
@@ -81,7 +81,7 @@ fn edges_of(hull: &[[i32; 2]], unit: f64) -> Vec<ContactEdge> {
 }
 
 /// Reference point and height of the underside at a pose, relative to `corner` [m].
-fn reference(piece: &Piece, pose: &Pose, corner: [f64; 2]) -> [f32; 4] {
+pub(super) fn reference(piece: &Piece, pose: &Pose, corner: [f64; 2]) -> [f32; 4] {
     let (sine, cosine) = math::sin_cos_f64(pose.yaw);
     let o = piece.offset;
     let shift = [cosine * o[0] + sine * o[2], -sine * o[0] + cosine * o[2]];
@@ -90,7 +90,7 @@ fn reference(piece: &Piece, pose: &Pose, corner: [f64; 2]) -> [f32; 4] {
 }
 
 /// Slope of a plane underside on the ground at a pose.
-fn slope(piece: &Piece, pose: &Pose) -> [f32; 2] {
+pub(super) fn slope(piece: &Piece, pose: &Pose) -> [f32; 2] {
     let Underside::Slope { gradient: [x, z] } = piece.underside else { return pose.slope.map(|part| part as f32) };
     let (sine, cosine) = math::sin_cos_f64(pose.yaw);
     [(pose.slope[0] + cosine * x + sine * z) as f32, (pose.slope[1] - sine * x + cosine * z) as f32]

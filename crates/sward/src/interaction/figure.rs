@@ -120,6 +120,7 @@ impl FigureBody {
             outline: posed.outline,
             underside: Underside::Slope { gradient: posed.gradient },
             offset: posed.under,
+            rise: posed.highest - posed.under[1],
             yaw: 0.0,
         };
         self.figure.parts.iter().map(|part| part.posed(&frames[part.frame as usize]).map(piece)).collect()

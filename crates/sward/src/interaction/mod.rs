@@ -8,6 +8,7 @@ mod convex;
 mod figure;
 mod motion;
 mod piece;
+pub mod solid;
 
 /// Contact of one cell in WGSL; the host declares `contact_edge(index: u32) -> ContactEdge`. Needs `math` before it.
 pub const WGSL: &str = include_str!("contact.wgsl");

@@ -29,8 +29,26 @@ pub struct Piece {
     pub underside: Underside,
     /// Reference point, m: on a plane underside, centre of an ellipsoid.
     pub offset: [f64; 3],
+    /// Height of its upper side above the reference point, m; of an ellipsoid as its radii say.
+    pub rise: f64,
     /// Turn of the piece in the body, rad about +Y.
     pub yaw: f64,
+}
+
+impl Piece {
+    /// Half of its narrower extent along x or z, m.
+    pub fn narrowest(&self) -> f64 {
+        let extent = |axis: usize| {
+            let (mut low, mut high) = (f64::MAX, f64::MIN);
+            for point in &self.outline {
+                low = if point[axis] < low { point[axis] } else { low };
+                high = if point[axis] > high { point[axis] } else { high };
+            }
+            high - low
+        };
+        let (x, z) = (extent(0), extent(1));
+        0.5 * if x < z { x } else { z }
+    }
 }
 
 /// Corners of the regular polygon around a round footprint. Outside its ellipse the underside is out of reach anyway.
@@ -51,22 +69,23 @@ fn round(x: f64, z: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-fn placed(outline: Vec<[f64; 2]>, underside: Underside, offset: [f64; 3], yaw: f64) -> Piece {
+fn placed(outline: Vec<[f64; 2]>, underside: Underside, offset: [f64; 3], rise: f64, yaw: f64) -> Piece {
     let (sine, cosine) = math::sin_cos_f64(yaw);
     let place = |p: [f64; 2]| [offset[0] + cosine * p[0] + sine * p[1], offset[2] - sine * p[0] + cosine * p[1]];
-    Piece { outline: outline.into_iter().map(place).collect(), underside, offset, yaw }
+    Piece { outline: outline.into_iter().map(place).collect(), underside, offset, rise, yaw }
 }
 
 fn simple(shape: &Shape, offset: [f64; 3], yaw: f64) -> Option<Piece> {
     let raised = |rise: f64| [offset[0], offset[1] + rise, offset[2]];
-    let ellipsoid = |radii: [f64; 3]| placed(round(radii[0], radii[2]), Underside::Ellipsoid { radii }, raised(radii[1]), yaw);
+    let ellipsoid = |radii: [f64; 3]| placed(round(radii[0], radii[2]), Underside::Ellipsoid { radii }, raised(radii[1]), radii[1], yaw);
     Some(match shape {
         Shape::Box(block) => {
-            placed(rectangle(f64::from(block.size[0]) / 2.0, f64::from(block.size[2]) / 2.0), Underside::Plane, offset, yaw)
+            let [x, rise, z] = block.size.map(f64::from);
+            placed(rectangle(x / 2.0, z / 2.0), Underside::Plane, offset, rise, yaw)
         }
         Shape::Polygon(polygon) => {
             let outline = polygon.points.iter().map(|p| p.map(f64::from)).collect();
-            placed(outline, Underside::Plane, offset, yaw)
+            placed(outline, Underside::Plane, offset, f64::from(polygon.height), yaw)
         }
         Shape::Sphere(sphere) => ellipsoid([f64::from(sphere.radius); 3]),
         Shape::Ellipsoid(body) => ellipsoid(body.radii.map(f64::from)),
@@ -76,9 +95,9 @@ fn simple(shape: &Shape, offset: [f64; 3], yaw: f64) -> Option<Piece> {
 
 /// Our pickup: a chassis 0.32 m above the ground and four wheels on it.
 fn truck() -> Vec<Piece> {
-    let mut pieces = vec![placed(rectangle(0.95, 2.35), Underside::Plane, [0.0, 0.32, 0.0], 0.0)];
+    let mut pieces = vec![placed(rectangle(0.95, 2.35), Underside::Plane, [0.0, 0.32, 0.0], 1.4, 0.0)];
     for (x, z) in [(-0.8, 1.45), (0.8, 1.45), (-0.8, -1.45), (0.8, -1.45)] {
-        pieces.push(placed(rectangle(0.16, 0.24), Underside::Plane, [x, 0.0, z], 0.0));
+        pieces.push(placed(rectangle(0.16, 0.24), Underside::Plane, [x, 0.0, z], 0.7, 0.0));
     }
     pieces
 }

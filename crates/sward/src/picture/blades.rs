@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 
 use super::blade_plan::{AROUND, BladeUniform, level, unseen};
 use super::plan::PatchDraw;
-use super::prepare::{Preparing, ordered_cell};
+use super::prepare::{Preparing, Who, ordered_cell};
 use crate::geometry::billboard::CLEARANCE;
 use crate::geometry::blade::{self, Stance, piece, piece_bend, raised};
 use crate::math;
@@ -51,6 +51,8 @@ struct Grown {
     blade: Blade,
     /// Root, m from the corner of its patch.
     local: [f32; 2],
+    /// Its place among the blades of its patch.
+    index: u32,
     stance: Stance,
     /// Distance to the eye, m.
     away: f32,
@@ -156,14 +158,17 @@ impl Blades<'_> {
             rank,
         };
         let stance = Stance { heading: [cosine, sine], lean: most_lean * random(7), curl: most_curl * random(8) };
-        Some(Grown { blade, local, stance, away, level })
+        let index = (which * prepare.placement.cells + cell[1]) * prepare.placement.cells + cell[0];
+        Some(Grown { blade, local, index, stance, away, level })
     }
 
     /// The points of a strip, root first, m relative to the frame origin.
     fn bend(&self, draw: &PatchDraw, phases: &Phases, grown: &Grown, level: usize, points: &mut [Vec3]) {
         let segments = (self.preparing.uniform.segments as usize).min(8);
         let mut bends = [[0.0; 2]; 8];
-        self.preparing.bends(draw, phases, grown.local, &mut bends[..segments]);
+        let Stance { heading, lean, curl } = grown.stance;
+        let who = Who { local: grown.local, index: grown.index, heading, yaw: grown.blade.yaw, lean, curl };
+        self.preparing.bends(draw, phases, &who, &mut bends[..segments]);
         let (pieces, coarse) = (self.uniform.pieces[level], self.uniform.pieces[(level + 1).min(2)]);
         // Where the next number of pieces begins, the strip has its shape already: so nothing pops.
         let border = self.uniform.distances[level.min(1)];

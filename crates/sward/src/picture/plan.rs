@@ -5,9 +5,10 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::plants::PLANTS_PER_INSTANCE;
+use crate::plan::{around, weights};
 use crate::response::StandModel;
 use crate::shading::look::Look;
-use crate::state::{NONE, PatchKey, StandState, TILE};
+use crate::state::{NONE, PatchKey, StandState};
 use crate::terrain::TerrainAnchor;
 use crate::view::View;
 use crate::world::World;
@@ -120,20 +121,6 @@ fn places(distance: f64, fullness: f64, stand: &StandModel) -> u32 {
     ((thin(distance, fullness, stand.spacing) * f64::from(all)).ceil() as u32).min(all).next_multiple_of(PLANTS_PER_INSTANCE)
 }
 
-/// Weights at the corners: a patch that only the wind keeps awake gives way to β_eq towards sleeping neighbours.
-fn weights(state: &StandState, patch: PatchKey) -> [f32; 4] {
-    if !state.awake.get(&patch).is_some_and(|awake| awake.wind_only) {
-        return [1.0; 4];
-    }
-    [[-1, -1], [0, -1], [-1, 0], [0, 0]].map(|[x, z]| {
-        let all = [[0, 0], [1, 0], [0, 1], [1, 1]].iter().all(|[dx, dz]| {
-            let key = [patch[0].wrapping_add(x + dx), patch[1].wrapping_add(z + dz)];
-            state.awake.contains_key(&key)
-        });
-        if all { 1.0 } else { 0.0 }
-    })
-}
-
 /// Plants that each stand of billboards may show.
 pub fn share(world: &World) -> u32 {
     let billboards = world.model.stands.iter().filter(|stand| stand.species.blade.is_none()).count();
@@ -180,22 +167,13 @@ pub fn plan_then(then: &World, index: usize, origin: PatchKey, now: &BatchPlan) 
 
 pub(super) fn draw(world: &World, state: &StandState, patch: PatchKey, origin: PatchKey, first: u32, count: u32) -> PatchDraw {
     let side = world.model.patch_side;
-    let around = |pick: fn(&crate::state::Awake) -> u32| {
-        let mut found = [NONE; 9];
-        for (k, slot) in found.iter_mut().enumerate() {
-            let key = [patch[0].wrapping_add(k as i32 % 3 - 1), patch[1].wrapping_add(k as i32 / 3 - 1)];
-            // Where a patch sleeps, the tiled one stands in if there is one; its cells wrap around.
-            *slot = state.awake.get(&key).or_else(|| state.awake.get(&TILE)).map_or(NONE, pick);
-        }
-        found
-    };
     PatchDraw {
         offset: [0, 1].map(|axis| (f64::from(patch[axis].wrapping_sub(origin[axis])) * side) as f32),
         patch,
         anchor: world.model.terrain.anchor(patch.map(|p| f64::from(p) * side)),
         weights: weights(state, patch),
-        slots: around(|awake| awake.slot),
-        lags: around(|awake| awake.lag),
+        slots: around(state, patch, |awake| awake.slot),
+        lags: around(state, patch, |awake| awake.lag),
         first,
         count,
         growth: NONE,

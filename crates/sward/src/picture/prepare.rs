@@ -12,6 +12,7 @@ use crate::geometry::billboard::{CLEARANCE, earlier, segment};
 use crate::math;
 use crate::placement::{self, PlacementParameters};
 use crate::response::StandModel;
+use crate::response::chain::{self, ChainModel, HeldBlade, Standing};
 use crate::shading::clump::{VARIANTS, first_layer};
 use crate::shading::look::Look;
 use crate::state::{Cells, NONE};
@@ -103,6 +104,23 @@ pub struct Preparing<'a> {
     pub intervals: u32,
 }
 
+/// A plant or a blade, as far as its bends ask.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Who {
+    /// Its root, m from the corner of its patch.
+    pub(super) local: [f32; 2],
+    /// Its place among the blades of the patch: see [`crate::response::chain::planting::roots`].
+    pub(super) index: u32,
+    /// Unit ground vector along which it leans by itself.
+    pub(super) heading: [f32; 2],
+    /// The same as an angle, rad.
+    pub(super) yaw: f32,
+    /// By how much at the root, rad.
+    pub(super) lean: f32,
+    /// How much more at the tip, rad.
+    pub(super) curl: f32,
+}
+
 /// Cell at a place of the drawing order: bit-reversed Morton, so that any first part of the order is spread evenly.
 pub(super) fn ordered_cell(rank: u32, bits: u32) -> [u32; 2] {
     let mut cell = [0; 2];
@@ -187,9 +205,12 @@ impl Preparing<'_> {
         self.stand.growth_map(self.terrain, draw.patch)
     }
 
-    /// Bends of all segments at a place of a patch, at the moment of the picture, lowest first.
-    pub(super) fn bends(&self, draw: &PatchDraw, phases: &Phases, root: [f32; 2], bends: &mut [[f32; 2]]) {
-        let prepare = &self.uniform;
+    /// Bends of all segments of a plant or blade of a patch, at the moment of the picture, beyond what it bends by itself, lowest first.
+    pub(super) fn bends(&self, draw: &PatchDraw, phases: &Phases, who: &Who, bends: &mut [[f32; 2]]) {
+        if let Some(chain) = &self.stand.chain {
+            return self.chain_bends(chain, draw, phases, who, bends);
+        }
+        let (prepare, root) = (&self.uniform, who.local);
         let rest = self.rest_at_plant(phases, root);
         // Where no upper segments are kept, all show what the lowest does.
         let gains = if draw.lags[4] == NONE { [0.0, 0.0, 1.0, 1.0] } else { prepare.lag };
@@ -204,6 +225,41 @@ impl Preparing<'_> {
             }
             *bend = shown.into();
         }
+    }
+
+    /// The same where a stand moves blade by blade: by its own state if it has one, else by the virtual blades around it.
+    fn chain_bends(&self, chain: &ChainModel, draw: &PatchDraw, phases: &Phases, who: &Who, bends: &mut [[f32; 2]]) {
+        let (behind, patch_side) = (self.uniform.behind, self.uniform.placement.spacing * self.uniform.placement.cells as f32);
+        let base = chain::planted(who.yaw, who.lean);
+        let standing = Standing { chain, around: draw.slots, weights: draw.weights, patch_side };
+        let held = self.held(chain, draw.lags[4], who.index);
+        let hold = held.map_or(0.0, |held| held.hold + (held.hold_before - held.hold) * behind);
+        let own = held.map(|held| {
+            let own = held.state.bends();
+            chain::mixed(&own, &held.before, behind)
+        });
+        let stands = || {
+            let air = || self.wind.velocity_local(phases, who.local);
+            let mut moments = standing.moments(&self.cells.now, who.local, air);
+            if behind > 0.0 {
+                moments = chain::mixed(&moments, &standing.moments(&self.cells.old, who.local, air), behind);
+            }
+            standing.pose(&base, who.curl, &moments)
+        };
+        let shown = match own {
+            Some(own) if hold >= 1.0 => own,
+            Some(own) if hold > 0.0 => chain::mixed(&stands(), &own, hold),
+            _ => stands(),
+        };
+        chain::leans(chain, &base, who.heading, [who.lean, who.curl], &shown, bends);
+    }
+
+    /// The state of a blade of a lag slot, if it has one.
+    fn held(&self, chain: &ChainModel, lag: u32, index: u32) -> Option<HeldBlade> {
+        let values = self.cells.lag.get(lag as usize).filter(|values| lag != NONE && !values.is_empty())?;
+        let total = chain.blades_of_patch(self.uniform.placement.cells) as usize;
+        (values.len() == chain.planes() * total)
+            .then(|| chain::loaded(values, total, index as usize, chain.coefficients.segments as usize))
     }
 
     /// Solves the plants of one patch: `draw.count` plants, and `drawn + 1` joints of each. Places without a plant get height 0.
@@ -239,7 +295,9 @@ impl Preparing<'_> {
         }
         let height = placed.height * (0.35 + (1.0 - 0.35) * stay);
         let straight = if prepare.plain > 0.0 { math::smoothstep(0.75 * prepare.plain, 0.97 * prepare.plain, away) } else { 0.0 };
-        self.spine(draw, phases, placed.root, [ground, height, straight], joints);
+        let index = cell[1] * prepare.placement.cells + cell[0];
+        let who = Who { local: placed.root, index, heading: [1.0, 0.0], yaw: 0.0, lean: 0.0, curl: 0.0 };
+        self.spine(draw, phases, &who, [ground, height, straight], joints);
         let chance = (placed.tint * 61.7).fract();
         let picture = prepare.layer + ((chance * VARIANTS as f32) as u32).min(VARIANTS - 1);
         Some(Plant {
@@ -252,18 +310,18 @@ impl Preparing<'_> {
         })
     }
 
-    /// Joints of a plant that stands at `root` (x, z) of its patch on `ground`, bent segment by segment.
-    fn spine(&self, draw: &PatchDraw, phases: &Phases, root: [f32; 2], [ground, height, straight]: [f32; 3], joints: &mut [[f32; 4]]) {
+    /// Joints of a plant that stands on `ground`, bent segment by segment.
+    fn spine(&self, draw: &PatchDraw, phases: &Phases, who: &Who, [ground, height, straight]: [f32; 3], joints: &mut [[f32; 4]]) {
         let prepare = &self.uniform;
         let mut bends = [[0.0; 2]; 8];
         let floor = |at: Vec3| self.terrain.height(draw.anchor, [at.x, at.z]) + CLEARANCE;
         let (segments, drawn) = (prepare.segments as usize, prepare.drawn as usize);
         let length = height / prepare.segments as f32;
-        let start = Vec3::new(root[0], ground, root[1]);
+        let start = Vec3::new(who.local[0], ground, who.local[1]);
         let mut spine = [start; 9];
         let mut local = start;
         let bends = &mut bends[..segments.min(8)];
-        self.bends(draw, phases, root, bends);
+        self.bends(draw, phases, who, bends);
         for (at, bend) in bends.iter().enumerate() {
             local += Vec3::from(segment(*bend, length));
             local.y = math::upper(local.y, floor(local));

@@ -5,6 +5,9 @@
 pub mod chain;
 pub mod continuum;
 pub mod oscillation;
+mod each;
+mod stage;
 mod stand;
 
+pub use stage::Stage;
 pub use stand::StandModel;

@@ -1,5 +1,6 @@
 //! What a response reads of a stand: the compiled half of what an author wrote about it.
 
+use super::chain::ChainModel;
 use super::continuum::{Coefficients, LagCoefficients};
 use crate::growth::Growth;
 use crate::placement::PlacementParameters;
@@ -32,12 +33,19 @@ pub struct StandModel {
     pub growth: Growth,
     /// Deviation that counts as rest, rad and rad/s.
     pub tolerance: f32,
+    /// What moves it where it moves blade by blade.
+    pub chain: Option<ChainModel>,
 }
 
 impl StandModel {
     /// The growth map of a patch: see [`Growth::map`].
     pub fn growth_map(&self, terrain: &Terrain, patch: PatchKey) -> Option<Box<[u8]>> {
         self.growth.map(&self.placement, terrain, patch, self.patch_side)
+    }
+
+    /// Whether wind moves it at all.
+    pub fn feels_wind(&self) -> bool {
+        self.chain.as_ref().map_or(self.species.continuum.wind, |chain| chain.coefficients.drag) > 0.0
     }
 
     /// All patches have the same level ground, with plants in every cell: then none is stored.

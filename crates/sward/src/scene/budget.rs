@@ -15,6 +15,9 @@ parameters! {
         visible_plants: u32 = 262144, "plants" in 1024..=1048576;
         /// Blades drawn at once: what the representation `Blade` solves and keeps.
         visible_blades: u32 = 262144, "blades" in 1024..=1500000;
+        /// Blades of one stand with a state of their own at once, where it moves blade by blade: what the patches hold that bodies touch, or of
+        /// the response `Chain` those nearest to a focus.
+        stateful_blades: u32 = 1048576, "blades" in 1024..=8388608;
         /// Steps run at most for one call, to catch up with the clock.
         catch_up: u32 = 4, "steps" in 1..=60;
         /// What plants show beyond the active patches.

@@ -2,6 +2,7 @@
 
 use super::billboard::Billboard;
 use super::blade::Blade;
+use super::chain::{BladeByBlade, Chain, DragPower};
 use super::continuum::{Continuum, Lag};
 use super::error::{Problem, SceneError, Trail};
 use super::stand::{Representation, Response, Species, Stand};
@@ -13,8 +14,10 @@ pub struct SpeciesModel {
     pub name: String,
     /// Least and greatest plant height in metres.
     pub height: [f32; 2],
-    /// How the plants move.
+    /// How the plants move, unless blade by blade.
     pub continuum: Continuum,
+    /// How they move where every blade does by itself.
+    pub chain: Option<BladeByBlade>,
     /// How the plants look as billboards.
     pub billboard: Billboard,
     /// How they look as blades, where that is what they are drawn as.
@@ -46,7 +49,15 @@ impl Stand {
             height: self.height.unwrap_or_else(|| self.species.height()),
             continuum: match &self.response {
                 Some(Response::Continuum(overrides)) => continuum.tuned(overrides, &trail.clone().key("response"))?,
-                None => continuum,
+                _ => continuum,
+            },
+            chain: match &self.response {
+                Some(response @ (Response::Chain(overrides) | Response::VirtualInertia(overrides))) => Some(BladeByBlade {
+                    chain: self.species.chain().with(overrides),
+                    frequency: overrides.frequency,
+                    all: matches!(response, Response::Chain(_)),
+                }),
+                _ => None,
             },
             billboard: match &self.representation {
                 Some(Representation::Billboard(overrides)) => billboard.with(overrides),
@@ -85,6 +96,19 @@ impl Species {
         };
         let (c_omega, kappa_omega, lag) = (c0, kappa, Lag::Cascade);
         Continuum { c0, mu, c_omega, lambda_theta, lambda_omega, kappa, kappa_omega, wind, lag, gamma_top, gamma_recover }
+    }
+
+    /// A typical blade of the species, by itself: stands damp each other, so the continuum's ratios are higher.
+    #[must_use]
+    pub fn chain(&self) -> Chain {
+        // Stiffness at root and tip [N·m²], mass [kg/m], damping ratio, drag [N/m at 1 m/s]
+        let (rigidity_root, rigidity_tip, mass, damping, drag) = match self {
+            Self::Lawn => (1.1e-6, 7.75e-7, 5e-4, 0.25, 6e-4),
+            Self::Meadow => (6e-4, 3.3e-4, 1.12e-3, 0.15, 1.6e-3),
+            Self::Reed => (3.428e-2, 1.697e-2, 2.509e-3, 0.10, 5.251e-3),
+            Self::Tussock => (1.6e-3, 9.6e-4, 2e-3, 0.20, 5e-3),
+        };
+        Chain { rigidity_root, rigidity_tip, mass, damping, drag, drag_power: DragPower::FourThirds, virtual_spacing: 0.7 }
     }
 
     /// How the species looks as blades: the billboards' colours, a little lighter, since light and shade are not painted on.

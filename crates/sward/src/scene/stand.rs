@@ -2,6 +2,7 @@
 
 use super::billboard::BillboardOverrides;
 use super::blade::BladeOverrides;
+use super::chain::ChainOverrides;
 use super::continuum::ContinuumOverrides;
 use super::parameters::{choices, parameters};
 
@@ -24,6 +25,10 @@ choices! {
     pub enum Response {
         /// Bending spreads through the stand as a wave.
         Continuum(ContinuumOverrides),
+        /// Every blade near the camera or a body is a chain of segments on springs, with a state of its own.
+        Chain(ChainOverrides),
+        /// As `Chain`, but only blades that a body has touched have a state; virtual blades feel the wind for all others.
+        VirtualInertia(ChainOverrides),
     }
 }
 

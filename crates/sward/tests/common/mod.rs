@@ -1,6 +1,7 @@
 //! What several test programs need: worlds from scene text, and a patch that is its own neighbour.
 #![allow(dead_code)] // Each program uses its own part.
 
+use sward::interaction::solid::Solids;
 use sward::lanes::Lanes;
 use sward::model::{Model, NoAssets, StandModel};
 use sward::plan::{PatchPlan, Plan, StandPlan};
@@ -75,10 +76,22 @@ impl Torus {
             edited: false,
             lag_woken: false,
             pairs: 0..0,
+            around: [0; 9],
+            weights: [1.0; 4],
+            solids: 0..0,
+            pixels: 0.0,
+            handing: false,
         };
         let wind = world.wind(&stand);
-        let plan =
-            StandPlan { tile_wind: wind.clone(), wind, patches: vec![patch], contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new() };
+        let plan = StandPlan {
+            tile_wind: wind.clone(),
+            wind,
+            patches: vec![patch],
+            contacts: Vec::new(),
+            edges: Vec::new(),
+            pairs: Vec::new(),
+            solids: Solids::default(),
+        };
         let level = || vec![vec![0.0_f32; 4 * side * side].into_boxed_slice()];
         let cells = Cells { now: level(), old: level(), ground: vec![Ground::default()], ..Cells::default() };
         Self { model: world.model, stand, cells, plan, side }

@@ -1,7 +1,7 @@
 //! Which patches wake, which sleep, and what that costs (methods behind Chen & Johan 2010, §4.2).
 
 use std::collections::BTreeSet;
-use sward::activation::{Circumstances, activate};
+use sward::activation::{Circumstances, Sharing, activate};
 use sward::state::{PatchKey, StandState};
 
 use crate::common::world;
@@ -86,6 +86,7 @@ impl Bench {
             tiled: false,
             tolerance: 1e-3,
             rate: 60.0,
+            sharing: Sharing::Near,
         };
         activate(&mut self.stand, &by);
     }

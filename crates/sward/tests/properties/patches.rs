@@ -1,6 +1,7 @@
 //! A field cut into patches is the same field as one grid, bit for bit, while all patches touched are awake.
 
 use crate::common::{Dice, world};
+use sward::interaction::solid::Solids;
 use sward::interaction::{Contact, Footprint, Grid, Pose, pieces_of, swept};
 use sward::lanes::Lanes;
 use sward::model::{Model, StandModel};
@@ -40,7 +41,7 @@ impl Sheet {
     fn plan(&self, step: u64, footprints: &[Footprint], joined: bool) -> StandPlan {
         let wind = WindField::at(&self.model.sources, step, self.model.dt, self.stand.spacing * f64::from(continuum::NODE_CELLS));
         let mut plan =
-            StandPlan { tile_wind: wind.clone(), wind, patches: Vec::new(), contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new() };
+            StandPlan { tile_wind: wind.clone(), wind, patches: Vec::new(), contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new(), solids: Solids::default() };
         for footprint in footprints {
             plan.contacts.push(Contact { edge_first: plan.edges.len() as u32, ..footprint.contact });
             plan.edges.extend(&footprint.edges);
@@ -67,6 +68,11 @@ impl Sheet {
                     edited: false,
                     lag_woken: false,
                     pairs: first..plan.pairs.len(),
+                    around: [NONE; 9],
+                    weights: [1.0; 4],
+                    solids: 0..0,
+                    pixels: 0.0,
+                    handing: false,
                 });
             }
         }

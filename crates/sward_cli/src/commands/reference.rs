@@ -95,12 +95,12 @@ fn measured(blade: &Blade, progress: &mut Progress) -> Result<[Off; 2], ChainErr
         for number in 0..SETTLING + COUNTED {
             let wind = wind(number);
             full.step(wind.map(f64::from), STEP);
-            own = step(&co, &base, wind, STEP as f32, &own);
-            virtual_blade = step(&co, &UPRIGHT, wind, STEP as f32, &virtual_blade);
+            own = step(&co, &base, 0.0, wind, STEP as f32, &own);
+            virtual_blade = step(&co, &UPRIGHT, 0.0, wind, STEP as f32, &virtual_blade);
             if number >= SETTLING {
                 let exact = full.joints()[blade.segments as usize];
                 let held = moments(&co, &UPRIGHT, &virtual_blade.bends()).map(|moment| turned(&base, &UPRIGHT, moment));
-                for (off, bends) in off.iter_mut().zip([own.bends(), pose(&co, &base, &held)]) {
+                for (off, bends) in off.iter_mut().zip([own.bends(), pose(&co, &base, 0.0, &held)]) {
                     off.0.push(apart(&co, &base, &bends, exact) / blade.length());
                 }
             }
@@ -112,6 +112,6 @@ fn measured(blade: &Blade, progress: &mut Progress) -> Result<[Off; 2], ChainErr
 
 /// Distance of a blade's tip from a place, m.
 fn apart(co: &ChainCoefficients, base: &Frame, bends: &[[f32; 2]; 8], exact: [f64; 3]) -> f64 {
-    let tip = joints(base, co, bends)[co.segments as usize];
+    let tip = joints(base, 0.0, co, bends)[co.segments as usize];
     (0..3).map(|axis| (f64::from(tip[axis]) - exact[axis]).powi(2)).sum::<f64>().sqrt()
 }

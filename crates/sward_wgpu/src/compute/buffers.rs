@@ -2,9 +2,11 @@
 
 use sward::response::StandModel;
 use sward::response::continuum::half;
+use sward::response::{chain, continuum};
 use sward::scene::Precision;
-use sward::state::{Awake, Cells, NONE, StandState};
+use sward::state::{Awake, Cells, NONE, Root, StandState};
 
+use super::blades::ChainUniform;
 use crate::gpu::{Gpu, GpuError};
 
 /// Two time levels, upper segments, ground and wind nodes of one stand.
@@ -12,8 +14,8 @@ pub struct CellBuffers {
     /// How cells are stored.
     pub precision: Precision,
     cells: u32,
-    upper_planes: u32,
-    ring_planes: u32,
+    /// Words of a slot and of a lag slot.
+    sizes: Sizes,
     /// Slots there is room for.
     slots: u32,
     lag_slots: u32,
@@ -33,13 +35,40 @@ pub struct CellBuffers {
     pub upper: wgpu::Buffer,
     /// Ring of past β for the `history` lag.
     pub past: wgpu::Buffer,
+    /// States of virtual blades, where a stand moves blade by blade; then `now` and `old` are their moments, `upper` blades with a state.
+    pub states: wgpu::Buffer,
+    /// Where those stand.
+    pub roots: wgpu::Buffer,
+    /// `ChainStand` of `blades.wgsl` for pictures.
+    pub numbers: Option<wgpu::Buffer>,
 }
 
-/// Words of 32 bits that a cell takes in one time level.
-fn words(precision: &Precision) -> u64 {
-    match precision {
-        Precision::Full => 4,
-        Precision::Half => 2,
+/// Words of 32 bits that each buffer takes: of a slot, or of a lag slot.
+#[derive(Clone, Copy)]
+struct Sizes {
+    /// One time level at full precision.
+    level: u64,
+    nodes: u64,
+    states: u64,
+    /// Ground; 0 where none is ever stored.
+    ground: u64,
+    /// Of a lag slot from here on.
+    upper: u64,
+    ring: u64,
+    roots: u64,
+}
+
+impl Sizes {
+    fn of(stand: &StandModel) -> Self {
+        let area = u64::from(stand.cells) * u64::from(stand.cells);
+        if let Some(chain) = &stand.chain {
+            let [level, states, upper] = chain::sizes(chain, stand.cells).map(|words| words as u64);
+            let roots = u64::from(chain.blades_of_patch(stand.cells)) * (size_of::<Root>() / 4) as u64;
+            return Self { level, nodes: 0, states, ground: 0, upper, ring: 0, roots };
+        }
+        let nodes = u64::from(stand.cells / 2 + 3) * u64::from(stand.cells / 2 + 3) * 2;
+        let [upper, ring] = continuum::lag_planes(&stand.lag).map(|planes| planes as u64 * area);
+        Self { level: 4 * area, nodes, states: 0, ground: 3 * area, upper, ring, roots: 0 }
     }
 }
 
@@ -60,13 +89,12 @@ fn storage(gpu: &Gpu, label: &str, floats: u64) -> wgpu::Buffer {
 impl CellBuffers {
     /// Empty buffers for a stand.
     pub fn new(gpu: &Gpu, stand: &StandModel, precision: Precision) -> Self {
-        let lag = &stand.lag;
         let empty = || storage(gpu, "empty", 0);
         Self {
-            precision,
+            // Moments are never halved.
+            precision: if stand.chain.is_some() { Precision::Full } else { precision },
             cells: stand.cells,
-            upper_planes: 2 * (lag.segments - 1),
-            ring_planes: if lag.kind == 1 && lag.segments > 1 { 2 * lag.ring } else { 0 },
+            sizes: Sizes::of(stand),
             slots: 0,
             lag_slots: 0,
             ground_slots: 0,
@@ -77,6 +105,12 @@ impl CellBuffers {
             nodes: empty(),
             upper: empty(),
             past: empty(),
+            states: empty(),
+            roots: empty(),
+            numbers: stand.chain.as_ref().map(|chain| {
+                let numbers = ChainUniform::new(stand, chain, 0.0, 0);
+                gpu.filled("blades", bytemuck::bytes_of(&numbers), wgpu::BufferUsages::UNIFORM)
+            }),
         }
     }
 
@@ -96,7 +130,12 @@ impl CellBuffers {
 
     /// Bytes of a cell in one time level.
     pub fn cell_bytes(&self) -> u64 {
-        4 * words(&self.precision)
+        4 * self.level() / self.area()
+    }
+
+    /// Words of a time level of a slot.
+    fn level(&self) -> u64 {
+        if self.precision == Precision::Half { self.sizes.level / 2 } else { self.sizes.level }
     }
 
     /// Makes room for the slots that `state` uses, keeping what is stored: doubled as they grow, but never more than the budget allows.
@@ -122,8 +161,8 @@ impl CellBuffers {
     fn room(&self, state: &StandState, limit: u64, slots: u32, lag_slots: u32) -> Result<[u32; 2], GpuError> {
         let lag_budget = state.awake.values().filter(|awake| awake.lag != NONE).count() + state.lag_free.len();
         // The ground under a cell takes three words. Level ground may be edited, so it counts there, too: no world that runs stops then.
-        let widest = words(&self.precision).max(3) * self.area();
-        let lag_widest = u64::from(self.upper_planes.max(self.ring_planes)) * self.area();
+        let widest = self.level().max(self.sizes.ground).max(self.sizes.states);
+        let lag_widest = self.sizes.upper.max(self.sizes.ring).max(self.sizes.roots);
         let (fits, lag_fits) = (fitting(limit, widest), fitting(limit, lag_widest));
         if slots > fits {
             return Err(GpuError::TooManyCells { slots, cells: self.cells, most: fits });
@@ -139,19 +178,18 @@ impl CellBuffers {
     }
 
     fn grow(&mut self, gpu: &Gpu, slots: u32, lag_slots: u32, level: bool) -> Result<(), GpuError> {
-        let area = self.area();
-        let nodes = u64::from(self.cells / 2 + 3) * u64::from(self.cells / 2 + 3) * 2;
-        let stored = words(&self.precision) * area;
-        let (upper, ring) = (u64::from(self.upper_planes) * area, u64::from(self.ring_planes) * area);
+        let (sizes, stored) = (self.sizes, self.level());
         let ground_slots = if level { self.ground_slots } else { slots };
         let (both, ground, lags) = ([self.slots, slots], [self.ground_slots, ground_slots], [self.lag_slots, lag_slots]);
         let mut growing = vec![
             (&mut self.now, "cells now", both, stored),
             (&mut self.old, "cells before", both, stored),
-            (&mut self.nodes, "rest at wind nodes", both, nodes),
-            (&mut self.ground, "ground under cells", ground, 3 * area),
-            (&mut self.upper, "upper segments", lags, upper),
-            (&mut self.past, "past bend", lags, ring),
+            (&mut self.nodes, "rest at wind nodes", both, sizes.nodes),
+            (&mut self.states, "virtual blades", both, sizes.states),
+            (&mut self.ground, "ground under cells", ground, sizes.ground),
+            (&mut self.upper, "upper segments", lags, sizes.upper),
+            (&mut self.past, "past bend", lags, sizes.ring),
+            (&mut self.roots, "where blades stand", lags, sizes.roots),
         ];
         growing.retain(|(_, _, [have, want], each)| want > have && *each > 0);
         let larger: Vec<wgpu::Buffer> =
@@ -215,12 +253,22 @@ impl CellBuffers {
                 let bytes = bytemuck::cast_slice(&planes);
                 gpu.queue.write_buffer(&self.ground, u64::from(awake.slot) * bytes.len() as u64, bytes);
             }
+            write(&self.states, state.cells.virtual_states.get(slot), awake.slot);
             write(&self.upper, state.cells.lag.get(lag), awake.lag);
+            if let Some(roots) = state.cells.roots.get(lag).filter(|roots| awake.lag != NONE && !roots.is_empty()) {
+                self.plant(gpu, awake.lag, roots);
+            }
             write(&self.past, state.cells.history.get(lag), awake.lag);
             if let (Some(steepest), Some(ground)) = (self.steepest.get_mut(slot), state.cells.ground.get(slot)) {
                 *steepest = ground.steepest;
             }
         }
+    }
+
+    /// Says where the blades of a lag slot stand.
+    pub fn plant(&self, gpu: &Gpu, lag: u32, roots: &[Root]) {
+        let bytes = bytemuck::cast_slice(roots);
+        gpu.queue.write_buffer(&self.roots, u64::from(lag) * bytes.len() as u64, bytes);
     }
 
     /// Reads all slots back into `cells`.
@@ -232,13 +280,13 @@ impl CellBuffers {
             if floats == 0 { Vec::new() } else { values.chunks_exact(floats as usize).map(Into::into).collect() }
         };
         let area = self.area();
-        let (upper, ring) = (u64::from(self.upper_planes) * area, u64::from(self.ring_planes) * area);
+        let Sizes { upper, ring, states, .. } = self.sizes;
         let read = |buffer: &wgpu::Buffer, slots: u32, floats: u64| -> Result<Vec<Box<[f32]>>, GpuError> {
             Ok(split(super::readback::read(gpu, buffer, u64::from(slots) * floats * 4)?, floats))
         };
         let levels = |buffer: &wgpu::Buffer| -> Result<Vec<Box<[f32]>>, GpuError> {
             if self.precision == Precision::Full {
-                return read(buffer, self.slots, 4 * area);
+                return read(buffer, self.slots, self.sizes.level);
             }
             let packed: Vec<u32> = super::readback::read(gpu, buffer, u64::from(self.slots) * 2 * area * 4)?;
             Ok(packed.chunks_exact(2 * area as usize).map(|words| half::unpack_patch(words).into()).collect())
@@ -248,6 +296,7 @@ impl CellBuffers {
         cells.lag = read(&self.upper, self.lag_slots, upper)?;
         cells.history = read(&self.past, self.lag_slots, ring)?;
         cells.history.resize(cells.lag.len(), Box::default());
+        cells.virtual_states = read(&self.states, self.slots, states)?;
         cells.ground.resize(cells.now.len(), Default::default());
         Ok(())
     }

@@ -3,6 +3,7 @@
 //! Planning (bodies, wind phases, activation) stays on the CPU; the response runs as compute passes. What activation needs to know
 //! of a step comes back [`sward::activation::LATENCY`] steps later, so nothing waits for the GPU within a step.
 
+pub mod blades;
 pub mod buffers;
 pub mod entries;
 pub mod passes;
@@ -13,12 +14,14 @@ use std::collections::VecDeque;
 
 use sward::activation::LATENCY;
 use sward::plan::StandPlan;
+use sward::response::chain;
 use sward::response::continuum::ground_of;
-use sward::state::{PatchKey, Summary};
+use sward::state::{NONE, PatchKey, Summary};
 use sward::world::World;
 
 use crate::gpu::{Gpu, GpuError};
 use crate::stopwatch::Stopwatch;
+use blades::{BladePasses, SUMMARY_WORDS};
 use buffers::CellBuffers;
 use entries::{Entries, StandUniform};
 use passes::{Passes, StepBuffers};
@@ -63,6 +66,8 @@ impl Work {
 /// The cells of a world, held and stepped on the GPU; planning stays in the [`World`].
 pub struct GpuStep {
     passes: Passes,
+    /// Where stands move blade by blade.
+    blades: Option<BladePasses>,
     stands: Vec<CellBuffers>,
     pending: VecDeque<Pending>,
     /// Counters since the start.
@@ -78,8 +83,10 @@ impl GpuStep {
     /// What the device reports.
     pub fn new(gpu: &Gpu, world: &World) -> Result<Self, GpuError> {
         let precision = &world.scene.budget.precision;
+        let by_blade = world.model.stands.iter().any(|stand| stand.chain.is_some());
         let mut step = Self {
             passes: Passes::new(gpu, &world.model.wind_texels(), precision),
+            blades: by_blade.then(|| BladePasses::new(gpu, &world.model.wind_texels())),
             stands: Vec::new(),
             pending: VecDeque::new(),
             work: Work::default(),
@@ -87,7 +94,7 @@ impl GpuStep {
         };
         for (stand, state) in world.model.stands.iter().zip(&world.state.stands) {
             let mut buffers = CellBuffers::new(gpu, stand, precision.clone());
-            buffers.reserve(gpu, state, stand.is_level(&world.model.terrain))?;
+            buffers.reserve(gpu, state, stand.chain.is_some() || stand.is_level(&world.model.terrain))?;
             buffers.upload(gpu, state);
             step.stands.push(buffers);
         }
@@ -141,6 +148,13 @@ impl GpuStep {
         let World { model, state, .. } = world;
         for ((buffers, stand), state) in self.stands.iter().zip(&model.stands).zip(&mut state.stands) {
             buffers.download(gpu, &mut state.cells)?;
+            if let Some(chain) = &stand.chain {
+                state.cells.roots = vec![Box::default(); state.cells.lag.len()];
+                for (patch, awake) in state.awake.iter().filter(|(_, awake)| awake.lag != NONE) {
+                    state.cells.roots[awake.lag as usize] = chain::roots(&model.terrain, stand, chain, *patch);
+                }
+                continue;
+            }
             for (patch, awake) in &state.awake {
                 if let Some(ground) = state.cells.ground.get_mut(awake.slot as usize) {
                     *ground = ground_of(&model.terrain, stand, *patch);
@@ -161,8 +175,9 @@ impl GpuStep {
                     largest: f32::from_bits(bits[0]),
                     borders: [1, 2, 3, 4].map(|k| f32::from_bits(bits[k])),
                     clamped: bits[5],
+                    held: bits[6],
                 };
-                filed.push(patches.into_iter().zip(values.chunks_exact(6).map(summary)).collect());
+                filed.push(patches.into_iter().zip(values.chunks_exact(SUMMARY_WORDS as usize).map(summary)).collect());
             }
             world.file(pending.step, filed);
         }
@@ -182,6 +197,18 @@ impl GpuStep {
     ) -> Result<(), GpuError> {
         let (stand, state) = (&world.model.stands[index], &world.state.stands[index]);
         let cells = &mut self.stands[index];
+        if let (Some(chain), Some(passes)) = (&stand.chain, &self.blades) {
+            cells.reserve(gpu, state, true)?;
+            for patch in plan.patches.iter().filter(|patch| patch.lag != NONE && (patch.lag_woken || patch.edited)) {
+                let roots = chain::roots(&world.model.terrain, stand, chain, patch.patch);
+                self.work.uploaded += size_of_val(&roots[..]) as u64;
+                cells.plant(gpu, patch.lag, &roots);
+            }
+            let of = (stand, chain, world.model.dt);
+            let summary = passes.record(gpu, encoder, of, plan, cells, &mut self.work, self.stopwatch.as_mut());
+            stands.push(reported(gpu, encoder, plan, &summary));
+            return Ok(());
+        }
         let level = stand.is_level(&world.model.terrain);
         // On ground that was level until now no patch has any yet.
         let laid = !level && !cells.has_ground();
@@ -200,9 +227,13 @@ impl GpuStep {
         let uniform = StandUniform::new(world, stand, plan, step);
         let buffers = StepBuffers::new(gpu, stand, plan, &entries, &uniform, &mut self.work);
         self.passes.record(gpu, encoder, stand, &entries, &buffers, cells, &mut self.work, self.stopwatch.as_mut());
-        let bytes = plan.patches.len() as u64 * 24;
-        let patches = plan.patches.iter().map(|patch| patch.patch).collect();
-        stands.push((patches, Readback::record(gpu, encoder, &buffers.summary, bytes)));
+        stands.push(reported(gpu, encoder, plan, &buffers.summary));
         Ok(())
     }
+}
+
+/// The summaries of a step, on their way back.
+fn reported(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, plan: &StandPlan, summary: &wgpu::Buffer) -> (Vec<PatchKey>, Readback) {
+    let bytes = plan.patches.len() as u64 * 4 * u64::from(SUMMARY_WORDS);
+    (plan.patches.iter().map(|patch| patch.patch).collect(), Readback::record(gpu, encoder, summary, bytes))
 }

@@ -5,6 +5,7 @@ use sward::response::StandModel;
 use sward::scene::Precision;
 
 use super::Work;
+use super::blades::SUMMARY_WORDS;
 use super::buffers::CellBuffers;
 use super::entries::{AwakePatch, Entries, StandUniform};
 use super::traffic::Traffic;
@@ -22,7 +23,7 @@ const PARTS: [&str; 5] = [
 
 /// The full text of the compute shader.
 pub fn assembled() -> String {
-    let band = format!("const SUMMARY_BAND: u32 = {}u;", sward::activation::BAND);
+    let band = format!("const SUMMARY_BAND: u32 = {}u;\nconst SUMMARY_WORDS: u32 = {SUMMARY_WORDS}u;", sward::activation::BAND);
     let mut parts = vec![sward::math::WGSL.to_owned()];
     parts.push(sward::wind::WGSL.to_owned());
     parts.push(sward::interaction::WGSL.to_owned());
@@ -40,7 +41,7 @@ struct Switches {
 }
 
 /// One pipeline and the bindings its entry point uses.
-struct Pass {
+pub(super) struct Pass {
     label: &'static str,
     pipeline: wgpu::ComputePipeline,
     bindings: &'static [u32],
@@ -61,7 +62,20 @@ impl Pass {
         Self { label: entry, pipeline, bindings }
     }
 
-    fn run(
+    /// One without switches.
+    pub(super) fn plain(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &'static str, bindings: &'static [u32]) -> Self {
+        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(entry),
+            layout: None,
+            module,
+            entry_point: Some(entry),
+            compilation_options: Default::default(),
+            cache: None,
+        });
+        Self { label: entry, pipeline, bindings }
+    }
+
+    pub(super) fn run(
         &self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
@@ -193,7 +207,7 @@ pub struct StepBuffers {
     contacts: wgpu::Buffer,
     words: wgpu::Buffer,
     gusty: bool,
-    /// Six values a patch.
+    /// [`SUMMARY_WORDS`] a patch.
     pub summary: wgpu::Buffer,
 }
 
@@ -233,7 +247,7 @@ impl StepBuffers {
             contacts: filled("contacts", bytemuck::cast_slice(&plan.contacts), storage),
             words: filled("edges and pairs", &words, storage),
             held: empty("held cells", entries.touched.len() as u64 * area),
-            summary: empty("summaries", entries.awake.len() as u64 * 6),
+            summary: empty("summaries", entries.awake.len() as u64 * u64::from(SUMMARY_WORDS)),
             gusty: uniform.gusty != 0,
         }
     }

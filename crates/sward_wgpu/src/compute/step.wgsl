@@ -102,10 +102,10 @@ fn summarise(entry: u32, cell: vec2<u32>, deviation: f32, clamped: bool, first: 
     if first {
         for (var k = 0u; k < 5u; k++) {
             let largest = atomicLoad(&peak[k]);
-            if largest > 0u { atomicMax(&summary[entry * 6u + k], largest); }
+            if largest > 0u { atomicMax(&summary[entry * SUMMARY_WORDS + k], largest); }
         }
         let count = atomicLoad(&peak[5]);
-        if count > 0u { atomicAdd(&summary[entry * 6u + 5u], count); }
+        if count > 0u { atomicAdd(&summary[entry * SUMMARY_WORDS + 5u], count); }
     }
 }
 

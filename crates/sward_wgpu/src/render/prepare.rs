@@ -4,7 +4,7 @@ use sward::picture::past::Past;
 pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
 use sward::picture::plan::{Seen, THINNING};
 pub use sward::picture::prepare::PrepareUniform;
-use sward::response::StandModel;
+use sward::response::{StandModel, chain, oscillation};
 use sward::scene::Precision;
 use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
@@ -15,14 +15,44 @@ use sward::world::World;
 
 use super::height_samples::HeightSamples;
 use crate::compute::CELLS_WGSL;
+use crate::compute::blades::CHAIN_STAND_WGSL;
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
 
+/// How a stand bends its plants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bending {
+    /// As a continuum.
+    Continuum,
+    /// Blade by blade.
+    Chain,
+}
+
+impl Bending {
+    /// Of a stand.
+    pub fn of(stand: &StandModel) -> Self {
+        if stand.chain.is_some() { Self::Chain } else { Self::Continuum }
+    }
+
+    /// What it needs after the texts of cells and wind: [`bends.wgsl`](self) and its own.
+    pub(crate) fn parts(self) -> Vec<&'static str> {
+        let common = include_str!("bends.wgsl");
+        match self {
+            Self::Continuum => vec![common, include_str!("continuum_bends.wgsl")],
+            Self::Chain => {
+                let [one, two] = chain::WGSL;
+                let [steady, standing] = chain::STANDING_WGSL;
+                vec![oscillation::WGSL, one, two, steady, standing, CHAIN_STAND_WGSL, common, include_str!("chain_bends.wgsl")]
+            }
+        }
+    }
+}
+
 /// The full text of the compute shader.
-pub fn assembled() -> String {
+pub fn assembled(bending: Bending) -> String {
     let variants = format!("const CLUMP_VARIANTS: u32 = {VARIANTS}u;\nconst PREPARE_THINNING: f32 = {THINNING:?};");
-    [
+    let before = [
         sward::math::WGSL,
         sward::wind::WGSL,
         sward::terrain::WGSL,
@@ -31,10 +61,8 @@ pub fn assembled() -> String {
         sward::response::continuum::HALF_WGSL,
         CELLS_WGSL,
         &variants,
-        include_str!("bends.wgsl"),
-        include_str!("prepare.wgsl"),
-    ]
-    .join("\n")
+    ];
+    [&before[..], &bending.parts(), &[include_str!("prepare.wgsl")]].concat().join("\n")
 }
 
 /// What all passes that solve plants read.
@@ -57,6 +85,8 @@ pub struct PreparePass {
     full: wgpu::ComputePipeline,
     /// For cells at half precision, where the scene asks for them.
     half: Option<wgpu::ComputePipeline>,
+    /// For stands that move blade by blade, where there are any.
+    by_blade: Option<wgpu::ComputePipeline>,
     /// What other passes read too.
     pub shared: Shared,
 }
@@ -96,15 +126,19 @@ impl BatchBuffers {
 impl PreparePass {
     /// Builds the pipeline for a world's terrain.
     pub fn new(gpu: &Gpu, world: &World) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("prepare"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
-        let pipeline = |half: f64| {
+        let module = |bending: Bending| {
+            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some("prepare"),
+                source: wgpu::ShaderSource::Wgsl(assembled(bending).into()),
+            })
+        };
+        let continuum = module(Bending::Continuum);
+        let by_blade = world.model.stands.iter().any(|stand| stand.chain.is_some()).then(|| module(Bending::Chain));
+        let pipeline = |module: &wgpu::ShaderModule, half: f64| {
             gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some("prepare"),
                 layout: None,
-                module: &module,
+                module,
                 entry_point: Some("prepare_pass"),
                 compilation_options: wgpu::PipelineCompilationOptions { constants: &[("half_precision", half)], ..Default::default() },
                 cache: None,
@@ -112,8 +146,9 @@ impl PreparePass {
         };
         let storage = |label: &str, contents: &[u8]| gpu.filled(label, contents, wgpu::BufferUsages::STORAGE);
         Self {
-            full: pipeline(0.0),
-            half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(1.0)),
+            full: pipeline(&continuum, 0.0),
+            half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(&continuum, 1.0)),
+            by_blade: by_blade.map(|module| pipeline(&module, 0.0)),
             shared: Shared {
                 heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
                 tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
@@ -196,7 +231,14 @@ impl PreparePass {
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: binding as u32, resource: buffer.as_entire_binding() })
             .collect();
         entries.push(wgpu::BindGroupEntry { binding: 10, resource: wgpu::BindingResource::TextureView(growth) });
-        let pipeline = self.half.as_ref().filter(|_| cells.precision == Precision::Half).unwrap_or(&self.full);
+        let half = || self.half.as_ref().filter(|_| cells.precision == Precision::Half).unwrap_or(&self.full);
+        let pipeline = match (&self.by_blade, &cells.numbers) {
+            (Some(pipeline), Some(numbers)) => {
+                entries.push(wgpu::BindGroupEntry { binding: 12, resource: numbers.as_entire_binding() });
+                pipeline
+            }
+            _ => half(),
+        };
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("prepare"),
             layout: &pipeline.get_bind_group_layout(0),

@@ -111,8 +111,8 @@ pub(crate) fn steps(gpu: &Gpu) -> Verdict {
             });
             input.extend(random.words);
             let base = chain::planted(yaw, tilt);
-            let next = chain::step(&co, &base, wind.map(|along| along * more), 1.0 / 60.0, &state);
-            let joints = chain::joints(&base, &co, &next.bends());
+            let next = chain::step(&co, &base, 2.0 * tilt, wind.map(|along| along * more), 1.0 / 60.0, &state);
+            let joints = chain::joints(&base, 2.0 * tilt, &co, &next.bends());
             let scaled = next.joints.map(|[x, z, fast_x, fast_z]| [x, z, 0.1 * fast_x, 0.1 * fast_z]);
             bits([scaled.as_flattened(), joints.as_flattened()].concat())
         };
@@ -122,11 +122,12 @@ pub(crate) fn steps(gpu: &Gpu) -> Verdict {
                 let co = next_blade();
                 let state = next_state();
                 let yaw = next_f();
-                let base = chain_planted(yaw, next_f());
+                let tilt = next_f();
+                let base = chain_planted(yaw, tilt);
                 let level = next_v();
-                let next = chain_step(co, base, vec3<f32>(level, next_f()), 1.0 / 60.0, state);
+                let next = chain_step(co, base, 2.0 * tilt, vec3<f32>(level, next_f()), 1.0 / 60.0, state);
                 put_state(next);
-                var places = chain_joints(co, base, next);
+                var places = chain_joints(co, base, 2.0 * tilt, next);
                 for (var k = 0u; k < 9u; k++) { put_v(places[k].xy); put_f(places[k].z); }
             }",
         ]
@@ -159,7 +160,7 @@ fn poses_of(gpu: &Gpu, more: f32) -> Verdict {
         input.extend(random.words);
         let base = chain::planted(yaw, tilt * more);
         let moments = chain::moments(&co, &chain::UPRIGHT, &state.bends()).map(|moment| chain::turned(&base, &chain::UPRIGHT, moment));
-        let pose = chain::pose(&co, &base, &moments);
+        let pose = chain::pose(&co, &base, 3.0 * tilt, &moments);
         bits(pose.as_flattened().to_vec())
     };
     let host = [
@@ -168,11 +169,12 @@ fn poses_of(gpu: &Gpu, more: f32) -> Verdict {
             let co = next_blade();
             let state = next_state();
             let yaw = next_f();
-            let base = chain_planted(yaw, next_f());
+            let tilt = next_f();
+                let base = chain_planted(yaw, tilt);
             let upright = chain_planted(0.0, 0.0);
             var moments = virtual_inertia_moments(co, upright, state);
             for (var i = 0u; i < 8u; i++) { moments[i] = virtual_inertia_turned(base, upright, moments[i]); }
-            let pose = virtual_inertia_pose(co, base, moments);
+            let pose = virtual_inertia_pose(co, base, 3.0 * tilt, moments);
             for (var i = 0u; i < 8u; i++) { put_v(pose.joints[i].xy); }
         }",
     ]

@@ -193,7 +193,7 @@ pub(crate) fn half_memory(gpu: &Gpu) -> Verdict {
         let mut buffers = CellBuffers::new(gpu, &world.model.stands[0], precision);
         // One after the other, as they wake.
         while let Some(slot) = state.free.pop_first() {
-            let awake = Awake { slot, lag: NONE, rest: 0, fading: 0, woken: true, lag_woken: false, wind_only: false };
+            let awake = Awake { slot, woken: true, ..Awake::default() };
             state.awake.insert([slot as i32, 0], awake);
             if slot.is_multiple_of(32) {
                 buffers.reserve(gpu, &state, true)?;
@@ -215,7 +215,7 @@ pub(crate) fn room_ends(gpu: &Gpu) -> Verdict {
     let mut state = world.state.stands[0].clone();
     let mut buffers = CellBuffers::new(gpu, &world.model.stands[0], Precision::Half);
     let mut reserved = |slot: u32, lag: u32, level: bool| {
-        let awake = Awake { slot, lag, rest: 0, fading: 0, woken: true, lag_woken: false, wind_only: false };
+        let awake = Awake { slot, lag, woken: true, ..Awake::default() };
         state.awake = [([0, 0], awake)].into();
         buffers.reserve(gpu, &state, level).map(|_| buffers.state_bytes())
     };

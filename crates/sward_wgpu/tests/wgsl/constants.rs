@@ -27,6 +27,9 @@ const PLACEMENT: &str = "placement.rs";
 const BEND: &str = "response/continuum/bend.rs";
 const HALF: &str = "response/continuum/half.rs";
 
+const PUSH: &str = "response/chain/push.rs";
+const HELD: &str = "response/chain/held.rs";
+
 /// Every constant of every `.wgsl` file.
 fn constants() -> Vec<(&'static str, Origin)> {
     vec![
@@ -55,6 +58,23 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("CHAIN_LEAST_STIFFNESS", Source("response/chain/joint.rs", "LEAST_STIFFNESS")),
         ("VIRTUAL_INERTIA_TURNS", Source("response/chain/virtual_inertia.rs", "TURNS")),
         ("VIRTUAL_INERTIA_LEAST_SLOPE", Source("response/chain/virtual_inertia.rs", "LEAST_SLOPE")),
+        ("STEADY_SPEEDS", Value(chain::SPEEDS as f64)),
+        ("STEADY_TOP", Value(f64::from(chain::TOP))),
+        ("STANDING_NONE", Value(f64::from(state::NONE))),
+        ("SOLID_AWAY", Source("interaction/solid.rs", "AWAY")),
+        ("PUSH_SWEEPS", Source(PUSH, "SWEEPS")),
+        ("PUSH_ROUNDS", Source(PUSH, "ROUNDS")),
+        ("PUSH_PATIENCE", Source(PUSH, "PATIENCE")),
+        ("PUSH_STRAIGHT", Source(PUSH, "STRAIGHT")),
+        ("PUSH_SLACK", Source(PUSH, "SLACK")),
+        ("PUSH_TOLERANCE", Value(f64::from(chain::TOLERANCE))),
+        ("PUSH_CLEAR", Source(PUSH, "CLEAR")),
+        ("PUSH_ROOM", Source(PUSH, "ROOM")),
+        ("HELD_NEAR", Source(HELD, "NEAR")),
+        ("HELD_SLOW", Source(HELD, "SLOW")),
+        ("HELD_FADE", Source(HELD, "FADE")),
+        ("HELD_MOTION", Source(HELD, "MOTION")),
+        ("HELD_FRAMES", Source(HELD, "FRAMES")),
         ("BLADE_FARTHEST", Source("geometry/blade.rs", "FARTHEST")),
         ("CONTINUUM_HALF_PI", Value(f64::from(continuum::HALF_PI))),
         ("CONTINUUM_RATE_LIMIT", Value(f64::from(continuum::RATE_LIMIT))),
@@ -73,6 +93,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
 /// Numbers that stand in a WGSL file without a name: file, text around it, and the number in Rust.
 fn written_out() -> Vec<(&'static str, &'static str, f64)> {
     vec![
+        ("chain_stand.wgsl", "steady: array<vec4<f32>, ", (chain::SPEEDS * chain::MOST_SEGMENTS / 2) as f64),
         ("bend.wgsl", "math_atan(along), ", f64::from(continuum::SMALLEST_LIMIT)),
         ("shadows.wgsl", "texel = spread / ", f64::from(shadow::SIDE)),
         ("noise.wgsl", "octaves: array<WindOctave, ", sward::wind::MAX_OCTAVES as f64),

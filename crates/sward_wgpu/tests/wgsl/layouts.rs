@@ -3,6 +3,7 @@
 use std::mem::offset_of;
 
 use sward::growth::{GrowthBlock, GrowthRecord};
+use sward::interaction::solid::SolidHead;
 use sward::interaction::{Contact, ContactEdge};
 use sward::picture::aov::AovUniform;
 use sward::picture::blade_plan::BladeUniform;
@@ -12,8 +13,10 @@ use sward::placement::PlacementParameters;
 use sward::response::continuum::{Coefficients, LagCoefficients};
 use sward::shading::blade::BladeStyle;
 use sward::shading::look::{Style, Turf};
+use sward::state::Root;
 use sward::terrain::{TerrainAnchor, TerrainDetail, TerrainGrid};
 use sward::wind::{Footprint, Octave, WindBlock};
+use sward_wgpu::compute::blades::{ChainPatch, ChainUniform};
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
 use sward_wgpu::render::plants::Plant;
 use sward_wgpu::render::prepare::{PatchDraw, PrepareUniform};
@@ -169,8 +172,19 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("Blades", text_of("blades, solved"), blades),
         ("Blade", text_of("blades, solved"), layout!(Blade { root, height, yaw, width, tint, twist, slope, draw, rank })),
         ("BladeStyle", text_of("blades"), layout!(BladeStyle { root, tip, light, shape })),
+        ("ChainStand", text_of("step blade by blade"), chain_stand()),
+        ("ChainStand", text_of("prepare blade by blade"), chain_stand()),
+        ("ChainPatch", text_of("step blade by blade"), layout!(ChainPatch {
+            slot, lag, flags, entry, patch as "patch_index", solid_first, solid_count, weights, keep, pixels, around, unused
+        })),
+        ("Root", text_of("step blade by blade"), layout!(Root { at, length, yaw, lean, curl, unused, slope, more_unused })),
+        ("SolidHead", text_of("step blade by blade"), layout!(SolidHead { first, count, moment, body, low, high, centre, turn, radii })),
         ("Aov", text_of("sky, outputs"), layout!(AovUniform { then, eye, size })),
     ]
+}
+
+fn chain_stand() -> Layout {
+    layout!(ChainUniform { coefficients, virtual_side, blades, all, cells, dt, patch_side, planes, unused, steady })
 }
 
 #[test]

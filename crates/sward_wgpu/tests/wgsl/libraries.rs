@@ -14,12 +14,19 @@ const GROWTH_STUBS: &str =
 const TERRAIN_STUB: &str = "fn terrain_load(index: i32) -> f32 { return f32(index); }";
 const WIND_STUB: &str = "fn wind_tile_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 const CONTACT_STUB: &str = "fn contact_edge(index: u32) -> ContactEdge { var edge: ContactEdge; return edge; }";
+const SOLID_STUB: &str = "fn solid_plane(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }";
+const STANDING_STUBS: &str = "fn steady_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); } \
+    fn standing_load(before: bool, index: u32) -> f32 { return f32(index); }";
+const HELD_STUBS: &str = "fn push_solid(index: u32) -> SolidHead { var solid: SolidHead; return solid; } \
+    fn held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 8> { return array<vec2<f32>, 8>(); } \
+    fn held_wind(root: Root) -> vec2<f32> { return root.slope; }";
 const REST_STUB: &str = "fn rest_node(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 
 /// Name, and the parts that make it complete: what it needs, the host's functions, itself.
 fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
     let mut continuum = vec![math::WGSL, interaction::WGSL, CONTACT_STUB, REST_STUB];
     continuum.extend(continuum::WGSL);
+    let standing = [&[math::WGSL, oscillation::WGSL], &chain::WGSL[..], &[STANDING_STUBS], &chain::STANDING_WGSL].concat();
     vec![
         ("math", vec![math::WGSL]),
         ("placement", vec![math::WGSL, placement::WGSL]),
@@ -32,6 +39,10 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("cells", vec![math::WGSL, continuum::HALF_WGSL, sward_wgpu::compute::CELLS_WGSL]),
         ("billboard", vec![math::WGSL, billboard::WGSL]),
         ("oscillation", vec![math::WGSL, oscillation::WGSL]),
+        ("solid", vec![math::WGSL, SOLID_STUB, interaction::solid::WGSL]),
+        ("standing", standing.clone()),
+        ("held", [&standing[..], &[SOLID_STUB, interaction::solid::WGSL, HELD_STUBS], &chain::HELD_WGSL].concat()),
+        ("chain stand", vec![math::WGSL, oscillation::WGSL, chain::WGSL[0], chain::WGSL[1], sward_wgpu::compute::blades::CHAIN_STAND_WGSL]),
         ("chain", [&[math::WGSL, oscillation::WGSL], &chain::WGSL[..]].concat()),
         ("card", vec![math::WGSL, card::WGSL]),
         ("blade", vec![math::WGSL, billboard::WGSL, blade::WGSL]),

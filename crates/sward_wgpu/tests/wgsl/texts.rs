@@ -1,12 +1,15 @@
 //! All shaders, as the passes hand them to the device.
 
+use sward_wgpu::render::prepare::Bending;
 use sward_wgpu::{compute, render};
 
 /// Every assembled shader with its name. A new host of WGSL adds its text here.
 pub(crate) fn assembled() -> Vec<(&'static str, String)> {
     let mut texts = render::assembled();
     texts.push(("step", compute::passes::assembled()));
-    texts.push(("prepare", render::prepare::assembled()));
+    texts.push(("prepare", render::prepare::assembled(Bending::Continuum)));
+    texts.push(("prepare blade by blade", render::prepare::assembled(Bending::Chain)));
+    texts.push(("step blade by blade", compute::blades::assembled()));
     texts
 }
 

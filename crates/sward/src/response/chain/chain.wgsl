@@ -60,6 +60,12 @@ fn chain_rotation(bend: vec2<f32>) -> mat3x3<f32> {
     );
 }
 
+// The rotation vector that brings z to a unit `direction`
+fn chain_bend_towards(direction: vec3<f32>) -> vec2<f32> {
+    let across = sqrt(direction.x * direction.x + direction.y * direction.y);
+    return math_atan2(across, direction.z) / math_upper(across, 1e-9) * vec2<f32>(-direction.y, direction.x);
+}
+
 fn chain_raised(speed: f32, thirds: u32) -> f32 {
     let root = math_cbrt(speed);
     let low = select(root, 1.0, thirds == 0u);
@@ -101,7 +107,13 @@ fn chain_swung(joint: ChainJoint, load: ChainLoad, dt: f32, state: vec4<f32>) ->
     return chain_stopped(vec4<f32>(state.xy - away + t.x * away + t.y * state.zw, t.z * away + t.w * state.zw));
 }
 
-fn chain_step(blade: ChainCoefficients, base: mat3x3<f32>, wind: vec3<f32>, dt: f32, state: ChainState) -> ChainState {
+// By how much joint i is turned at rest where a blade curls
+fn chain_rest_turn(segments: u32, curl: f32, i: u32) -> vec2<f32> {
+    let n = f32(segments);
+    return vec2<f32>(0.0, curl * select(2.0 * f32(i), 0.25, i == 0u) / (n * n));
+}
+
+fn chain_step(blade: ChainCoefficients, base: mat3x3<f32>, curl: f32, wind: vec3<f32>, dt: f32, state: ChainState) -> ChainState {
     var co = blade;
     var next = state;
     var frame = base;
@@ -109,7 +121,7 @@ fn chain_step(blade: ChainCoefficients, base: mat3x3<f32>, wind: vec3<f32>, dt: 
     var end = vec3<f32>(0.0);
     for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
         let joint = next.joints[i];
-        let turn = chain_rotation(joint.xy);
+        let turn = chain_rotation(joint.xy + chain_rest_turn(co.segments, curl, i));
         frame = frame * turn;
         spin = spin * turn + vec3<f32>(joint.zw, 0.0);
         let centre = frame * vec3<f32>(spin.y * co.half_length, -spin.x * co.half_length, 0.0);
@@ -122,14 +134,14 @@ fn chain_step(blade: ChainCoefficients, base: mat3x3<f32>, wind: vec3<f32>, dt: 
 }
 
 // Joints 0 (the root) to 8, m from the root; entries beyond the tip repeat it
-fn chain_joints(blade: ChainCoefficients, base: mat3x3<f32>, bent: ChainState) -> array<vec3<f32>, 9> {
+fn chain_joints(blade: ChainCoefficients, base: mat3x3<f32>, curl: f32, bent: ChainState) -> array<vec3<f32>, 9> {
     var places = array<vec3<f32>, 9>();
     var state = bent;
     var frame = base;
     for (var i = 0u; i < CHAIN_MOST_SEGMENTS; i++) {
         places[i + 1u] = places[i];
         if i < blade.segments {
-            frame = frame * chain_rotation(state.joints[i].xy);
+            frame = frame * chain_rotation(state.joints[i].xy + chain_rest_turn(blade.segments, curl, i));
             places[i + 1u] = places[i] + 2.0 * blade.half_length * frame[2];
         }
     }

@@ -47,3 +47,12 @@ pub fn to_local(frame: &Frame, v: [f32; 3]) -> [f32; 3] {
 pub fn product(outer: &Frame, inner: &Frame) -> Frame {
     inner.map(|column| to_world(outer, column))
 }
+
+/// The rotation vector (across z, no twist) that brings z to `direction`, a unit vector in the same axes: M of it points there.
+#[inline(always)]
+pub fn bend_towards(direction: [f32; 3]) -> [f32; 2] {
+    let [x, y, z] = direction;
+    let across = (x * x + y * y).sqrt();
+    let share = math::atan2(across, z) / math::upper(across, 1e-9);
+    [-y * share, x * share]
+}

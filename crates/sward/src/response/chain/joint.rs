@@ -52,7 +52,7 @@ pub(super) fn count(co: &ChainCoefficients) -> usize {
 
 /// Speed to the power p − 1.
 #[inline(always)]
-fn raised(speed: f32, thirds: u32) -> f32 {
+pub(super) fn raised(speed: f32, thirds: u32) -> f32 {
     let root = math::cbrt(speed);
     let low = if thirds == 0 { 1.0 } else { root };
     let high = if thirds == 2 { root * root } else { speed };
@@ -114,18 +114,28 @@ fn stopped([x, y, wx, wy]: [f32; 4]) -> [f32; 4] {
     [x, y, wx * share, wy * share]
 }
 
-/// A blade `dt` seconds later, in air that moves with `wind` \[m/s, world\]. `base` is [`super::planted`].
+/// By how much joint `i` is turned at rest where a blade curls \[rad\]: towards its local +x. The middle of a segment at a share s of the
+/// length then leans by `curl` s² beyond the root.
+#[inline(always)]
+pub fn rest_turn(co: &ChainCoefficients, curl: f32, i: usize) -> f32 {
+    let n = co.segments as f32;
+    let share = if i == 0 { 0.25 } else { 2.0 * i as f32 };
+    curl * share / (n * n)
+}
+
+/// A blade `dt` seconds later, in air that moves with `wind` \[m/s, world\]. `base` is [`super::planted`]; at rest it curls as
+/// [`rest_turn`] says, and ψ counts from there.
 ///
 /// All frames, velocities and forces are those at the start of the step (methods §3.1).
 #[inline(always)]
-pub fn step(co: &ChainCoefficients, base: &Frame, wind: [f32; 3], dt: f32, state: &ChainState) -> ChainState {
+pub fn step(co: &ChainCoefficients, base: &Frame, curl: f32, wind: [f32; 3], dt: f32, state: &ChainState) -> ChainState {
     let mut next = *state;
     let mut frame = *base;
     let mut spin = [0.0; 3];
     let mut end = [0.0; 3];
     for i in 0..count(co) {
         let [x, y, wx, wy] = state.joints[i];
-        let turn = rotation([x, y]);
+        let turn = rotation([x, y + rest_turn(co, curl, i)]);
         frame = product(&frame, &turn);
         let below = to_local(&turn, spin);
         spin = [below[0] + wx, below[1] + wy, below[2]];
@@ -140,13 +150,13 @@ pub fn step(co: &ChainCoefficients, base: &Frame, wind: [f32; 3], dt: f32, state
 }
 
 /// Where the joints are, m from the root: the root itself, then the upper end of each segment; entries beyond the tip repeat it.
-pub fn joints(base: &Frame, co: &ChainCoefficients, bends: &Bends) -> [[f32; 3]; MOST_SEGMENTS + 1] {
+pub fn joints(base: &Frame, curl: f32, co: &ChainCoefficients, bends: &Bends) -> [[f32; 3]; MOST_SEGMENTS + 1] {
     let mut places = [[0.0; 3]; MOST_SEGMENTS + 1];
     let mut frame = *base;
     for i in 0..MOST_SEGMENTS {
         places[i + 1] = places[i];
         if i < count(co) {
-            frame = product(&frame, &rotation(bends[i]));
+            frame = product(&frame, &rotation([bends[i][0], bends[i][1] + rest_turn(co, curl, i)]));
             places[i + 1] = [0, 1, 2].map(|axis| places[i][axis] + 2.0 * co.half_length * frame[2][axis]);
         }
     }

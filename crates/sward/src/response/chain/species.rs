@@ -1,19 +1,40 @@
-//! The shipped species as chains: starting points of methods §8, of single blades; stands damp each other, so the continuum's differ.
+//! A blade from what an author wrote about it.
 
 use super::blade::{Blade, DragLaw};
-use crate::scene::Species;
+use crate::scene::{Chain, DragPower, Species};
 
 impl Blade {
-    /// A typical blade of a species.
-    pub fn of(species: &Species) -> Self {
-        // Segments, half their length [m], mass [kg], stiffness at root and tip [N·m/rad], damping ratio, drag [N/(m/s)^p].
-        let (segments, half_length, mass, [stiffness_root, stiffness_tip], damping_ratio, drag) = match species {
-            Species::Lawn => (2, 0.0125, 1.25e-5, [4.4e-5, 3.1e-5], 0.25, 1.5e-5),
-            Species::Meadow => (4, 0.05, 1.12e-4, [6e-3, 3.3e-3], 0.15, 1.6e-4),
-            Species::Reed => (7, 0.0857, 4.3e-4, [0.20, 0.099], 0.10, 9e-4),
-            Species::Tussock => (3, 0.05, 2e-4, [1.6e-2, 9.6e-3], 0.20, 5e-4),
+    /// A blade `length` m long of `segments` segments, made of what `chain` says, with that first frequency \[Hz\] if one is given.
+    pub fn built(chain: &Chain, frequency: Option<f32>, length: f64, segments: u32) -> Self {
+        let piece = length / f64::from(segments.max(1));
+        let law = match chain.drag_power {
+            DragPower::Linear => DragLaw::Linear,
+            DragPower::FourThirds => DragLaw::FourThirds,
+            DragPower::FiveThirds => DragLaw::FiveThirds,
+            DragPower::Square => DragLaw::Square,
         };
-        let law = DragLaw::FourThirds;
-        Self { segments, half_length, mass, stiffness_root, stiffness_tip, damping_ratio, drag, law, frequency: None }
+        Self {
+            segments,
+            half_length: 0.5 * piece,
+            mass: f64::from(chain.mass) * piece,
+            stiffness_root: f64::from(chain.rigidity_root) / piece,
+            stiffness_tip: f64::from(chain.rigidity_tip) / piece,
+            damping_ratio: f64::from(chain.damping),
+            drag: f64::from(chain.drag) * piece,
+            law,
+            frequency: frequency.map(f64::from),
+        }
+    }
+
+    /// A typical blade of a species (methods §8).
+    pub fn of(species: &Species) -> Self {
+        let segments = match species {
+            Species::Lawn => 2,
+            Species::Meadow => 4,
+            Species::Reed => 7,
+            Species::Tussock => 3,
+        };
+        let [low, high] = species.height();
+        Self::built(&species.chain(), None, 0.5 * f64::from(low + high), segments)
     }
 }

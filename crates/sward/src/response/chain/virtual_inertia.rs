@@ -7,7 +7,7 @@
 
 use super::blade::{ChainCoefficients, MOST_SEGMENTS};
 use super::frame::{Frame, product, rotation, to_local, to_world};
-use super::joint::{BEND_LIMIT, Bends, count};
+use super::joint::{BEND_LIMIT, Bends, count, rest_turn};
 use crate::math;
 
 /// Turns of the equilibrium per segment.
@@ -43,15 +43,17 @@ pub fn turned(base: &Frame, virtual_base: &Frame, moment: [f32; 2]) -> [f32; 2] 
     [x, y]
 }
 
-/// Where `moments` (turned into the blade's base) and weight hold a blade: three damped Newton turns per segment from ψ = 0.
-pub fn pose(co: &ChainCoefficients, base: &Frame, moments: &Bends) -> Bends {
+/// Where `moments` (turned into the blade's base) and weight hold a blade that curls at rest as [`super::rest_turn`] says: three damped
+/// Newton turns per segment from ψ = 0.
+pub fn pose(co: &ChainCoefficients, base: &Frame, curl: f32, moments: &Bends) -> Bends {
     let mut bends = [[0.0; 2]; MOST_SEGMENTS];
     let mut below = *base;
     for i in 0..count(co) {
         let spring = co.joints[i].stiffness;
         let heavy = co.weight * co.half_length / spring;
+        let rest = rest_turn(co, curl, i);
         let mut bend = [0.0; 2];
-        let mut frame = below;
+        let mut frame = product(&below, &rotation([0.0, rest]));
         for _ in 0..TURNS {
             let weight = weight_moment(co, &frame);
             let slope = math::upper(1.0 - heavy * frame[2][1], LEAST_SLOPE);
@@ -61,7 +63,7 @@ pub fn pose(co: &ChainCoefficients, base: &Frame, moments: &Bends) -> Bends {
             let size = (bend[0] * bend[0] + bend[1] * bend[1]).sqrt();
             let share = if size > BEND_LIMIT { BEND_LIMIT / size } else { 1.0 };
             bend = [bend[0] * share, bend[1] * share];
-            frame = product(&below, &rotation(bend));
+            frame = product(&below, &rotation([bend[0], bend[1] + rest]));
         }
         bends[i] = bend;
         below = frame;

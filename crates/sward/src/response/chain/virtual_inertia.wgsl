@@ -26,7 +26,7 @@ fn virtual_inertia_turned(base: mat3x3<f32>, virtual_base: mat3x3<f32>, moment: 
 }
 
 // Where turned moments and weight hold a blade; rates are 0
-fn virtual_inertia_pose(blade: ChainCoefficients, base: mat3x3<f32>, moments: array<vec2<f32>, 8>) -> ChainState {
+fn virtual_inertia_pose(blade: ChainCoefficients, base: mat3x3<f32>, curl: f32, moments: array<vec2<f32>, 8>) -> ChainState {
     var co = blade;
     var held = moments;
     var state = ChainState();
@@ -34,14 +34,15 @@ fn virtual_inertia_pose(blade: ChainCoefficients, base: mat3x3<f32>, moments: ar
     for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
         let spring = co.joints[i].stiffness;
         let heavy = co.weight * co.half_length / spring;
+        let rest = chain_rest_turn(co.segments, curl, i);
         var bend = vec2<f32>(0.0);
-        var frame = below;
+        var frame = below * chain_rotation(rest);
         for (var turn = 0u; turn < VIRTUAL_INERTIA_TURNS; turn++) {
             let slope = math_upper(1.0 - heavy * frame[2].y, VIRTUAL_INERTIA_LEAST_SLOPE);
             bend = bend + ((held[i] + virtual_inertia_weight_moment(co, frame)) / spring - bend) / slope;
             let size = sqrt(bend.x * bend.x + bend.y * bend.y);
             bend = bend * select(1.0, CHAIN_BEND_LIMIT / size, size > CHAIN_BEND_LIMIT);
-            frame = below * chain_rotation(bend);
+            frame = below * chain_rotation(bend + rest);
         }
         state.joints[i] = vec4<f32>(bend, 0.0, 0.0);
         below = frame;

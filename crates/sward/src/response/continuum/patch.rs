@@ -202,7 +202,7 @@ pub fn step_patch<S: Simd>(simd: S, co: &Coefficients, cells: usize, wave: &Wave
         block_bends(simd, co, cells, wave, old, scratch, rows, fastest, &mut sum);
     }
     let [largest, borders @ ..] = sum.squares.map(f32::from_bits);
-    Summary { largest, borders, clamped: sum.clamped }
+    Summary { largest, borders, clamped: sum.clamped, held: 0 }
 }
 
 /// ω of some rows. Returns the bits of the largest |ω|² of each.

@@ -1,8 +1,5 @@
 //! One step of a stand on the CPU. Patches are independent of each other, so threads do not change the result.
 
-#[cfg(feature = "parallel")]
-use rayon::prelude::*;
-
 use super::coefficients::{Coefficients, safe_limit};
 use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
 use super::patch::{Scratch, Wave, step_patch, wake_patch};
@@ -11,22 +8,10 @@ use super::touch::{PatchContacts, Touched, touch_patch};
 use crate::growth::BARE;
 use crate::lanes::{Lanes, Simd, Work};
 use crate::plan::{PatchPlan, StandPlan};
-use crate::response::StandModel;
+use crate::response::each::{each, each_with};
+use crate::response::{Stage, StandModel};
 use crate::state::{Cells, Ground, NONE, PatchKey, Summary, TILE};
 use crate::terrain::Terrain;
-
-/// What a step of a stand consists of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// β_eq in the wind of the step.
-    Rest,
-    /// Patches that wake, and cells under bodies.
-    Contact,
-    /// Propagation, limits and fading.
-    Wave,
-    /// Upper segments.
-    Lags,
-}
 
 /// One awake patch at work.
 struct Task<'a> {
@@ -34,29 +19,6 @@ struct Task<'a> {
     rest: Rest,
     /// Cells that bodies hold, in order.
     held: Vec<u32>,
-}
-
-/// Runs `work` over the tasks, on all cores where the feature is on.
-fn each<T: Send, R: Send>(tasks: Vec<T>, work: impl Fn(T) -> R + Sync + Send) -> Vec<R> {
-    #[cfg(feature = "parallel")]
-    return tasks.into_par_iter().map(work).collect();
-    #[cfg(not(feature = "parallel"))]
-    tasks.into_iter().map(work).collect()
-}
-
-/// As [`each`], with working space that each thread makes once.
-fn each_with<T: Send, S, R: Send>(
-    tasks: Vec<T>,
-    space: impl Fn() -> S + Sync + Send,
-    work: impl Fn(&mut S, T) -> R + Sync + Send,
-) -> Vec<R> {
-    #[cfg(feature = "parallel")]
-    return tasks.into_par_iter().map_init(space, work).collect();
-    #[cfg(not(feature = "parallel"))]
-    {
-        let mut space = space();
-        tasks.into_iter().map(|task| work(&mut space, task)).collect()
-    }
 }
 
 /// Pairs each task with the two time levels of its slot.

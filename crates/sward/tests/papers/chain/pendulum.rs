@@ -47,7 +47,7 @@ fn apart(blade: &Blade, oracle: &Blade, start: f64, dt: f64) -> [f64; 2] {
         let length = blade.length();
         let exact = [length * angle.sin(), length * angle.cos(), 0.0];
         full.step([0.0; 3], dt);
-        state = step(&co, &UPRIGHT, [0.0; 3], dt as f32, &state);
+        state = step(&co, &UPRIGHT, 0.0, [0.0; 3], dt as f32, &state);
         worst[0] = worst[0].max(distance(full.joints()[1], exact) / length);
         worst[1] = worst[1].max(distance(tip(&co, &UPRIGHT, &state), exact) / length);
     }

@@ -28,9 +28,9 @@ fn a_planted_blade_is_where_its_own_chain_would_be() {
         let mut virtual_blade = ChainState::default();
         let (mut right, mut raw) = (Vec::new(), Vec::new());
         for (i, w) in wind.iter().enumerate() {
-            virtual_blade = step(&co, &UPRIGHT, *w, STEP as f32, &virtual_blade);
+            virtual_blade = step(&co, &UPRIGHT, 0.0, *w, STEP as f32, &virtual_blade);
             for (base, state) in bases.iter().zip(&mut own) {
-                *state = step(&co, base, *w, STEP as f32, state);
+                *state = step(&co, base, 0.0, *w, STEP as f32, state);
                 if i >= 120 && i % 6 == 0 {
                     let exact = tip(&co, base, state);
                     right.push(distance(tip(&co, base, &shown(&co, base, &virtual_blade, true)), exact) / blade.length());
@@ -61,8 +61,8 @@ fn planted_blades_of_both_models_stay_near_the_full_chain() {
             let (mut own, mut virtual_blade) = (ChainState::default(), ChainState::default());
             for (i, w) in wind.iter().enumerate() {
                 full.step(w.map(f64::from), STEP);
-                own = step(&co, &base, *w, STEP as f32, &own);
-                virtual_blade = step(&co, &UPRIGHT, *w, STEP as f32, &virtual_blade);
+                own = step(&co, &base, 0.0, *w, STEP as f32, &own);
+                virtual_blade = step(&co, &UPRIGHT, 0.0, *w, STEP as f32, &virtual_blade);
                 if i >= 120 {
                     let exact = full.joints()[blade.segments as usize];
                     simplified.push(distance(tip(&co, &base, &own), exact) / blade.length());

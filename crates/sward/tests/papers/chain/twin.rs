@@ -25,7 +25,7 @@ fn offsets(module: &naga::Module, name: &str) -> Vec<usize> {
 #[test]
 fn the_chains_twins_are_valid_and_lay_out_structs_alike() {
     let host = "@group(0) @binding(0) var<uniform> blade: ChainCoefficients;\n@group(0) @binding(1) var<storage, read_write> state: ChainState;\n\
-        @compute @workgroup_size(1) fn main() { state = chain_step(blade, chain_planted(0.0, 0.1), vec3<f32>(1.0), 0.1, state); }";
+        @compute @workgroup_size(1) fn main() { state = chain_step(blade, chain_planted(0.0, 0.1), 0.3, vec3<f32>(1.0), 0.1, state); }";
     let module = validated(&[&text(), host].concat()).unwrap_or_else(|error| panic!("{error}"));
     let unused = offset_of!(ChainCoefficients, unused);
     let co = [

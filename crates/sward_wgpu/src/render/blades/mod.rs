@@ -5,6 +5,7 @@ mod solve;
 
 use sward::picture::blade_plan::{AROUND, BLADES_PER_INSTANCE, GROUP, HEAD};
 
+use super::prepare::Bending;
 pub(crate) use draw::{BladePass, Level, PARTS, ReadyBlades};
 pub use solve::{BladeBuffers, SolvePass, Solving};
 
@@ -25,6 +26,10 @@ pub fn constants() -> String {
 }
 
 /// Every text of these passes that is not a drawing shader, with its name.
-pub fn assembled() -> [(&'static str, String); 2] {
-    [("blades, solved", solve::assembled()), ("blades, counted", solve::finish())]
+pub fn assembled() -> [(&'static str, String); 3] {
+    [
+        ("blades, solved", solve::assembled(Bending::Continuum)),
+        ("blades, solved blade by blade", solve::assembled(Bending::Chain)),
+        ("blades, counted", solve::finish()),
+    ]
 }

@@ -11,7 +11,7 @@ use sward::wind::WindField;
 use crate::compute::CELLS_WGSL;
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::Gpu;
-use crate::render::prepare::Shared;
+use crate::render::prepare::{Bending, Shared};
 use crate::stopwatch::Stopwatch;
 
 /// The passes: finding blades, solving them, and solving them once more as they were in the picture before.
@@ -23,8 +23,9 @@ const THEN: usize = 2;
 const MOST_GROUPS: u32 = 65535;
 
 /// The full text of the shader that solves blades.
-pub(super) fn assembled() -> String {
-    [
+pub(super) fn assembled(bending: Bending) -> String {
+    let constants = super::constants();
+    let before = [
         sward::math::WGSL,
         sward::wind::WGSL,
         sward::terrain::WGSL,
@@ -33,12 +34,9 @@ pub(super) fn assembled() -> String {
         sward::geometry::blade::WGSL,
         sward::response::continuum::HALF_WGSL,
         CELLS_WGSL,
-        &super::constants(),
-        include_str!("../bends.wgsl"),
-        include_str!("solve.wgsl"),
-        include_str!("passes.wgsl"),
-    ]
-    .join("\n")
+        &constants,
+    ];
+    [&before[..], &bending.parts(), &[include_str!("solve.wgsl"), include_str!("passes.wgsl")]].concat().join("\n")
 }
 
 /// The text of the shader that makes draw arguments.
@@ -78,12 +76,12 @@ impl BladeBuffers {
 
 /// The pipelines.
 pub struct SolvePass {
-    module: wgpu::ShaderModule,
-    /// Of all passes that solve.
-    layout: wgpu::BindGroupLayout,
-    pipelines: wgpu::PipelineLayout,
-    /// Each of [`ENTRIES`], for cells at full and at half precision. Made when first asked for.
-    solve: [[OnceLock<wgpu::ComputePipeline>; 3]; 2],
+    /// Of a continuum, and blade by blade. Made when first asked for, as are the pipelines.
+    modules: [OnceLock<wgpu::ShaderModule>; 2],
+    /// Of all passes that solve, likewise.
+    layouts: [(wgpu::BindGroupLayout, wgpu::PipelineLayout); 2],
+    /// Each of [`ENTRIES`], for cells at full and at half precision, and blade by blade.
+    solve: [[OnceLock<wgpu::ComputePipeline>; 3]; 3],
     finish: wgpu::ComputePipeline,
 }
 
@@ -102,19 +100,17 @@ pub struct Solving<'a> {
 impl SolvePass {
     /// Builds the pipelines.
     pub fn new(gpu: &Gpu) -> Self {
-        let module = |label: &str, text: String| {
-            gpu.device
-                .create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source: wgpu::ShaderSource::Wgsl(text.into()) })
-        };
-        let (solving, finishing) = (module("blades", assembled()), module("blades, counted", finish()));
-        let finish = pipeline(gpu, None, &finishing, "blades_finish", &[]);
-        let layout = solving_layout(gpu);
-        let pipelines = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("blades"),
-            bind_group_layouts: &[Some(&layout)],
-            immediate_size: 0,
+        let finish = pipeline(gpu, None, &module(gpu, "blades, counted", finish()), "blades_finish", &[]);
+        let layouts = [12, 13].map(|bindings| {
+            let layout = solving_layout(gpu, bindings);
+            let pipelines = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some("blades"),
+                bind_group_layouts: &[Some(&layout)],
+                immediate_size: 0,
+            });
+            (layout, pipelines)
         });
-        Self { module: solving, layout, pipelines, solve: Default::default(), finish }
+        Self { modules: Default::default(), layouts, solve: Default::default(), finish }
     }
 
     /// Solves what a picture shows of a stand.
@@ -178,15 +174,21 @@ impl SolvePass {
         timing: Option<wgpu::ComputePassTimestampWrites<'_>>,
     ) {
         let half = usize::from(of.cells.precision == Precision::Half);
-        let make = || pipeline(gpu, Some(&self.pipelines), &self.module, ENTRIES[which], &[("half_precision", half as f64)]);
-        let pipeline = self.solve[half][which].get_or_init(make);
+        let by_blade = usize::from(of.cells.numbers.is_some());
+        let bending = [Bending::Continuum, Bending::Chain][by_blade];
+        let (layout, pipelines) = &self.layouts[by_blade];
+        let make = || {
+            let module = self.modules[by_blade].get_or_init(|| module(gpu, "blades", assembled(bending)));
+            pipeline(gpu, Some(pipelines), module, ENTRIES[which], &[("half_precision", half as f64)])
+        };
+        let pipeline = self.solve[if by_blade == 1 { 2 } else { half }][which].get_or_init(make);
         let wind = of.wind.block(of.prepare.placement.cells / NODE_CELLS);
         let prepare = gpu.filled("prepare", bytemuck::bytes_of(&of.prepare), wgpu::BufferUsages::UNIFORM);
         let wind = gpu.filled("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
         let draws = gpu.filled("patches to draw", bytemuck::cast_slice(&plan.draws), wgpu::BufferUsages::STORAGE);
         let numbers = gpu.filled("blades", bytemuck::bytes_of(&plan.uniform), wgpu::BufferUsages::UNIFORM);
         let cells = of.cells;
-        let bound = [
+        let mut bound = vec![
             (0, &prepare),
             (1, &wind),
             (2, &draws),
@@ -199,7 +201,8 @@ impl SolvePass {
             (9, &cells.old),
             (11, &numbers),
         ];
-        let group = group(gpu, &self.layout, &bound, Some((10, of.growth)));
+        bound.extend(cells.numbers.iter().map(|numbers| (12, numbers)));
+        let group = group(gpu, layout, &bound, Some((10, of.growth)));
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("blades"), timestamp_writes: timing });
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &group, &[]);
@@ -208,11 +211,15 @@ impl SolvePass {
     }
 }
 
-/// The bindings of [`assembled`]: passes that use few of them take the same groups as those that use all.
-fn solving_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
+fn module(gpu: &Gpu, label: &str, text: String) -> wgpu::ShaderModule {
+    gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source: wgpu::ShaderSource::Wgsl(text.into()) })
+}
+
+/// The first bindings of [`assembled`]: passes that use few of them take the same groups as those that use all.
+fn solving_layout(gpu: &Gpu, bindings: u32) -> wgpu::BindGroupLayout {
     let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
     let kind = |binding: u32| match binding {
-        0 | 1 | 11 => buffer(wgpu::BufferBindingType::Uniform),
+        0 | 1 | 11 | 12 => buffer(wgpu::BufferBindingType::Uniform),
         10 => wgpu::BindingType::Texture {
             sample_type: wgpu::TextureSampleType::Uint,
             view_dimension: wgpu::TextureViewDimension::D2,
@@ -221,7 +228,7 @@ fn solving_layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
         _ => buffer(wgpu::BufferBindingType::Storage { read_only: !matches!(binding, 7 | 8) }),
     };
     let entry = |binding| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty: kind(binding), count: None };
-    let entries: Vec<_> = (0..12).map(entry).collect();
+    let entries: Vec<_> = (0..bindings).map(entry).collect();
     gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("blades"), entries: &entries })
 }
 

@@ -119,7 +119,9 @@ fn blades_bend(grown: Grown, level: u32, first: u32) {
     let which = grown.blade.draw;
     let draw = draws[which];
     var bends: array<vec2<f32>, 8>;
-    plant_bends(which, grown.local, &bends);
+    let cells = prepare.placement.cells;
+    let index = ((grown.blade.rank >> (2u * prepare.bits)) * cells + grown.cell.y) * cells + grown.cell.x;
+    plant_bends(which, Who(grown.local, index, grown.stance.heading, grown.blade.yaw, grown.stance.lean, grown.stance.curl), &bends);
     let pieces = blades.pieces[level];
     let coarse = blades.pieces[min(level + 1u, 2u)];
     let border = blades.distances[min(level, 1u)];

@@ -1,0 +1,144 @@
+// One blade of a patch that bodies reach. Twin: held.rs, where everything is explained. Needs chain, standing, push.
+// The host declares `fn held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 8>`, where virtual blades would have it, and
+// `fn held_wind(root: Root) -> vec2<f32>`.
+
+struct HeldBlade {
+    state: ChainState,
+    before: array<vec2<f32>, 8>,
+    hold: f32,
+    hold_before: f32,
+}
+
+struct Holding {
+    obstacles: Obstacles,
+    dt: f32,
+    keep: f32,
+    pixels: f32,
+    all: bool,
+    handing: bool,
+}
+
+const HELD_NEAR: f32 = 0.06;
+const HELD_SLOW: f32 = 0.5;
+const HELD_FADE: f32 = 0.3;
+const HELD_MOTION: f32 = 0.5;
+const HELD_FRAMES: f32 = 60.0;
+
+fn held_bends(state: ChainState) -> array<vec2<f32>, 8> {
+    var joints = state.joints;
+    var bends = array<vec2<f32>, 8>();
+    for (var i = 0u; i < CHAIN_MOST_SEGMENTS; i++) {
+        bends[i] = joints[i].xy;
+    }
+    return bends;
+}
+
+fn held_put(blade: HeldBlade, pushed: Pushed, segments: u32) -> HeldBlade {
+    var next = blade;
+    var bends = pushed.bends;
+    for (var i = 0u; i < min(segments, CHAIN_MOST_SEGMENTS); i++) {
+        let still = ((pushed.turned >> i) & 1u) == 1u;
+        next.state.joints[i] = vec4<f32>(bends[i], select(next.state.joints[i].zw, vec2<f32>(0.0), still));
+    }
+    return next;
+}
+
+fn held_stay(blade: HeldBlade, posture: array<vec2<f32>, 8>, segments: u32) -> HeldBlade {
+    var next = blade;
+    var shown = posture;
+    if blade.hold < 1.0 {
+        for (var i = 0u; i < min(segments, CHAIN_MOST_SEGMENTS); i++) {
+            next.state.joints[i] = vec4<f32>(shown[i], next.state.joints[i].zw);
+        }
+        next.hold = 1.0;
+    }
+    return next;
+}
+
+fn held_settled(co: ChainCoefficients, root: Root, base: mat3x3<f32>, blade: HeldBlade, virtual_pose: array<vec2<f32>, 8>, dt: f32) -> bool {
+    let nothing = Obstacles(0u, 0u);
+    var own = blade.state.joints;
+    var stands = push_out(co, root, base, nothing, virtual_pose).bends;
+    var farthest = 0.0;
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        let off = own[i].xy - stands[i];
+        farthest = math_upper(farthest, off.x * off.x + off.y * off.y);
+    }
+    if farthest > HELD_NEAR * HELD_NEAR {
+        return false;
+    }
+    var earlier = push_out(co, root, base, nothing, held_stands(root, base, true)).bends;
+    var before = blade.before;
+    var fastest = 0.0;
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        let rate = own[i].xy - stands[i] - before[i] + earlier[i];
+        fastest = math_upper(fastest, rate.x * rate.x + rate.y * rate.y);
+    }
+    return fastest <= HELD_SLOW * HELD_SLOW * dt * dt;
+}
+
+fn held_take(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32>, blade: HeldBlade, all: bool) -> HeldBlade {
+    var next = blade;
+    var now_ = held_stands(root, base, false);
+    next.hold_before = 0.0;
+    if !all && !push_touches(co, root, base, by.obstacles, now_) {
+        return next;
+    }
+    var before = held_stands(root, base, true);
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        next.state.joints[i] = vec4<f32>(now_[i], (now_[i] - before[i]) / by.dt);
+    }
+    next.before = before;
+    next.hold = 1.0;
+    next.hold_before = 1.0;
+    return held_put(next, push_out(co, root, base, by.obstacles, now_), co.segments);
+}
+
+fn held_swing(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32>, blade: HeldBlade, pushed: bool, all: bool) -> HeldBlade {
+    var next = blade;
+    next.before = held_bends(blade.state);
+    next.hold_before = blade.hold;
+    let air = held_wind(root);
+    next.state = chain_step(co, base, root.curl, vec3<f32>(air.x, 0.0, air.y), by.dt, blade.state);
+    let back = blade.hold < 1.0;
+    var shown = held_bends(next.state);
+    if back {
+        shown = standing_mixed(held_stands(root, base, false), shown, blade.hold);
+    }
+    if pushed && push_touches(co, root, base, by.obstacles, shown) {
+        next = held_stay(next, shown, co.segments);
+        return held_put(next, push_out(co, root, base, by.obstacles, held_bends(next.state)), co.segments);
+    }
+    if next.hold >= 1.0 {
+        next = held_put(next, push_out(co, root, base, Obstacles(0u, 0u), held_bends(next.state)), co.segments);
+    }
+    if all {
+        return held_stay(next, shown, co.segments);
+    }
+    let stands = held_stands(root, base, false);
+    if back || by.handing || held_settled(co, root, base, next, stands, by.dt) {
+        let way = push_tip(co, root, base, held_bends(next.state)) - push_tip(co, root, base, stands);
+        let pixels = by.pixels * sqrt(dot(way, way));
+        let share = math_lower(by.dt / HELD_FADE, HELD_MOTION * HELD_FRAMES * by.dt / math_upper(pixels, 1e-6));
+        next.hold = math_upper(next.hold - share, 0.0);
+    }
+    return next;
+}
+
+fn held_step(co: ChainCoefficients, by: Holding, root: Root, blade: HeldBlade) -> HeldBlade {
+    var next = blade;
+    let pushed = push_reach(by.obstacles, root);
+    let all = by.all && !by.handing;
+    if root.length <= 0.0 || (blade.hold <= 0.0 && !pushed && !all) {
+        next.hold_before = 0.0;
+        return next;
+    }
+    let base = chain_planted(root.yaw, root.lean);
+    if blade.hold <= 0.0 {
+        next = held_take(co, by, root, base, blade, all);
+    } else {
+        next = held_swing(co, by, root, base, blade, pushed, all);
+    }
+    next.hold *= by.keep;
+    return next;
+}

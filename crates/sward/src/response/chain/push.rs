@@ -1,0 +1,256 @@
+//! Blades are turned out of bodies and off the ground, joint by joint from the root.
+//!
+//! Belyaev et al. 2011, §3.4; methods §3.5. A joint turns until the middle, then the end of its segment is outside; what lies above is
+//! carried along, and goes on from there. Twin: `push.wgsl`. Differs from the paper: any solid, several sweeps, the ground is one more body.
+
+use super::blade::{ChainCoefficients, MOST_SEGMENTS};
+use super::frame::{Frame, bend_towards, product, rotation, to_local};
+use super::joint::{BEND_LIMIT, Bends, count, rest_turn};
+use crate::math;
+use crate::interaction::solid::{Nearness, SolidHead, nearness, stands_on};
+use crate::state::Root;
+
+/// Most sweeps from root to tip.
+const SWEEPS: u32 = 16;
+/// Times a point is taken out of each body in turn.
+const ROUNDS: u32 = 2;
+/// Sine of the angle below which a segment points straight at what it meets.
+const STRAIGHT: f32 = 0.02;
+/// Sweeps after which what has not found its way out is turned by the next lower joint.
+const PATIENCE: u32 = 2;
+/// How a blade lies down: sine and cosine of its tilt over the ground, halfway and nearly flat.
+const TILTS: [(f32, f32); 2] = [(0.866_025_4, 0.5), (0.996_194_7, 0.087_155_74)];
+/// Turns about the vertical that it tries, cosine and sine: by eighths, the small ones first.
+const HEADINGS: [[f32; 2]; 8] = {
+    const H: f32 = std::f32::consts::FRAC_1_SQRT_2;
+    [[1.0, 0.0], [H, H], [H, -H], [0.0, 1.0], [0.0, -1.0], [-H, H], [-H, -H], [-1.0, 0.0]]
+};
+/// How far beyond a side a point is taken, m: so that it is not back with the next turn.
+const SLACK: f32 = 1e-3;
+/// How deep a point may lie, m: less than the millimetre that is promised.
+pub const TOLERANCE: f32 = 5e-4;
+/// How far above the ground blades keep, m.
+const CLEAR: f32 = 1e-3;
+/// A body less than this above a root leaves no room to pass below it, m.
+const ROOM: f32 = 0.02;
+
+/// Bodies that reach a patch.
+#[derive(Clone, Copy)]
+pub struct Obstacles<'a> {
+    /// Moment by moment.
+    pub heads: &'a [SolidHead],
+    /// Their planes.
+    pub planes: &'a [[f32; 4]],
+}
+
+impl Obstacles<'_> {
+    /// Whether any of them can touch a blade.
+    #[inline(always)]
+    pub fn reach(&self, root: &Root) -> bool {
+        self.heads.iter().any(|solid| reaches(solid, root))
+    }
+}
+
+/// Whether a solid is within a blade's length of its root.
+#[inline(always)]
+fn reaches(solid: &SolidHead, root: &Root) -> bool {
+    let near = |axis: usize| root.at[axis] >= solid.low[axis] - root.length && root.at[axis] <= solid.high[axis] + root.length;
+    near(0) && near(2) && solid.low[1] <= root.at[1] + root.length
+}
+
+/// Where a point goes that lies too deep in the ground or in bodies of a moment: out of one after the other, twice, so that it leaves corners
+/// between them. `None` if it lies nowhere too deep.
+#[inline(always)]
+fn free(obstacles: &Obstacles, moment: u32, root: &Root, at: [f32; 3]) -> Option<[f32; 3]> {
+    let [sx, sz] = root.slope;
+    let rise = 1.0 / (1.0 + sx * sx + sz * sz).sqrt();
+    let mut there = at;
+    let mut moved = false;
+    for _ in 0..ROUNDS {
+        let ground = (there[1] - root.at[1] - CLEAR - sx * (there[0] - root.at[0]) - sz * (there[2] - root.at[2])) * rise;
+        if ground < -TOLERANCE {
+            there = [there[0] + ground * sx * rise, there[1] - ground * rise, there[2] + ground * sz * rise];
+            moved = true;
+        }
+        for solid in obstacles.heads.iter().filter(|solid| solid.moment == moment && reaches(solid, root)) {
+            let standing = stands_on(solid, obstacles.planes, root.at, ROOM);
+            let Nearness { distance, normal } = nearness(solid, obstacles.planes, there, standing);
+            if distance < -TOLERANCE {
+                there = [0, 1, 2].map(|axis| there[axis] + (SLACK - distance) * normal[axis]);
+                moved = true;
+            }
+        }
+        if !moved {
+            return None;
+        }
+    }
+    Some(there)
+}
+
+/// The middle and the end of a segment of `length` m above `below` that points along `way`.
+#[inline(always)]
+fn points(below: [f32; 3], way: [f32; 3], length: f32) -> [[f32; 3]; 2] {
+    [0.5, 1.0].map(|share: f32| [0, 1, 2].map(|axis| below[axis] + share * length * way[axis]))
+}
+
+/// Whether any segment of a blade lies too deep in a body at any moment of the step. The ground alone does not count: wind may press
+/// blades to it, and pictures lift them.
+pub fn is_pushed(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, bends: &Bends) -> bool {
+    let mut frame = *base;
+    let mut at = root.at;
+    let length = root.length / co.segments as f32;
+    for i in 0..count(co) {
+        frame = product(&frame, &rotation([bends[i][0], bends[i][1] + rest_turn(co, root.curl, i)]));
+        for point in points(at, frame[2], length) {
+            for solid in obstacles.heads.iter().filter(|solid| reaches(solid, root)) {
+                let standing = stands_on(solid, obstacles.planes, root.at, ROOM);
+                if nearness(solid, obstacles.planes, point, standing).distance < -TOLERANCE {
+                    return true;
+                }
+            }
+        }
+        at = points(at, frame[2], length)[1];
+    }
+    false
+}
+
+/// Turns a blade out of the bodies of a step, moment by moment. Returns which joints were turned, as bits.
+pub fn push(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, bends: &mut Bends) -> u32 {
+    let mut turned = 0;
+    let last = obstacles.heads.iter().map(|solid| solid.moment).max().unwrap_or(0);
+    for moment in 0..=last {
+        let mut moved = 1;
+        for number in 0..SWEEPS {
+            if moved != 0 {
+                moved = sweep(co, root, base, obstacles, moment, number / PATIENCE % co.segments, bends);
+                turned |= moved;
+            }
+        }
+        if moved != 0 && lies_down(co, root, base, obstacles, moment, bends) {
+            turned = (1 << co.segments) - 1;
+        }
+    }
+    turned
+}
+
+/// Where sweeps go to and fro in a corner between bodies, a blade lies down straight: the way its tip points, or the next one to that which is
+/// free. Returns whether there is one; else the bends stay.
+fn lies_down(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, moment: u32, bends: &mut Bends) -> bool {
+    let way = tip(co, root, base, bends);
+    let across = math::upper((way[0] * way[0] + way[2] * way[2]).sqrt(), 1e-9);
+    let [x, z] = [way[0] / across, way[2] / across];
+    for (sine, cosine) in TILTS {
+        for [c, s] in HEADINGS {
+            let rise = cosine + sine * (root.slope[0] * (c * x - s * z) + root.slope[1] * (s * x + c * z));
+            let direction = [sine * (c * x - s * z), rise, sine * (s * x + c * z)];
+            let size = dot(direction, direction).sqrt();
+            let [a, b] = bend_towards(to_local(base, direction.map(|part| part / size)));
+            let mut lying: Bends = [[0.0; 2]; MOST_SEGMENTS];
+            for (i, bend) in lying.iter_mut().enumerate().take(count(co)) {
+                let rest = rest_turn(co, root.curl, i);
+                *bend = if i == 0 { [a, b - rest] } else { [0.0, -rest] };
+            }
+            if sweep(co, root, base, obstacles, moment, 0, &mut lying) == 0 {
+                *bends = lying;
+                return true;
+            }
+        }
+    }
+    false
+}
+
+/// Where the tip is, m from the root.
+#[inline(always)]
+pub(super) fn tip(co: &ChainCoefficients, root: &Root, base: &Frame, bends: &Bends) -> [f32; 3] {
+    let (mut frame, mut at) = (*base, [0.0; 3]);
+    let length = root.length / co.segments as f32;
+    for i in 0..count(co) {
+        frame = product(&frame, &rotation([bends[i][0], bends[i][1] + rest_turn(co, root.curl, i)]));
+        at = points(at, frame[2], length)[1];
+    }
+    at
+}
+
+/// The blade of a sweep: bends, and what follows from them.
+struct Posture<'a> {
+    co: &'a ChainCoefficients,
+    curl: f32,
+    /// m.
+    length: f32,
+    bends: &'a mut Bends,
+    /// Frame below each joint, then of the last segment.
+    frames: [Frame; MOST_SEGMENTS + 1],
+    /// Where each joint is, then the tip.
+    places: [[f32; 3]; MOST_SEGMENTS + 1],
+}
+
+impl Posture<'_> {
+    /// Works segment `i` out from the one below.
+    #[inline(always)]
+    fn follow(&mut self, i: usize) {
+        let [x, y] = self.bends[i];
+        self.frames[i + 1] = product(&self.frames[i], &rotation([x, y + rest_turn(self.co, self.curl, i)]));
+        self.places[i + 1] = points(self.places[i], self.frames[i + 1][2], self.length)[1];
+    }
+
+    /// Turns joint `j` so that `from` comes as far along the way to `to` as that one is: exactly on a plane there, where it can reach it.
+    #[inline(always)]
+    fn turn(&mut self, j: usize, from: [f32; 3], to: [f32; 3]) {
+        let way = minus(to, from);
+        let far = math::upper(dot(way, way).sqrt(), 1e-9);
+        let normal = way.map(|part| part / far);
+        let arm = minus(from, self.places[j]);
+        let lever = math::upper(dot(arm, arm).sqrt(), 1e-9);
+        let u = arm.map(|part| part / lever);
+        let along = dot(normal, u);
+        let wanted = math::clamped(along + far / lever, -1.0, 1.0);
+        // Straight at the body there is no side to turn to but the blade's own.
+        let across = |v: [f32; 3]| minus(v, normal.map(|part| part * dot(normal, v)));
+        let (own, side) = (across(self.frames[j + 1][0]), across(u));
+        let side = if dot(side, side) > STRAIGHT * STRAIGHT { side } else { own };
+        let rest = (1.0 - wanted * wanted).sqrt() / math::upper(dot(side, side).sqrt(), 1e-9);
+        let w = [0, 1, 2].map(|axis| wanted * normal[axis] + rest * side[axis]);
+        // The rotation that takes u to w, of the segment's direction: no angle is needed.
+        let d = self.frames[j + 1][2];
+        let share = (dot(u, d) + dot(w, d)) / math::upper(1.0 + dot(u, w), 1e-3);
+        let turned = [0, 1, 2].map(|axis| d[axis] - share * (u[axis] + w[axis]) + 2.0 * dot(u, d) * w[axis]);
+        let size = math::upper(dot(turned, turned).sqrt(), 1e-9);
+        let [x, y] = bend_towards(to_local(&self.frames[j], turned.map(|part| part / size)));
+        let bend = [x, y - rest_turn(self.co, self.curl, j)];
+        let bent = (bend[0] * bend[0] + bend[1] * bend[1]).sqrt();
+        let share = if bent > BEND_LIMIT { BEND_LIMIT / bent } else { 1.0 };
+        self.bends[j] = [bend[0] * share, bend[1] * share];
+    }
+}
+
+#[inline(always)]
+fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline(always)]
+fn minus(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// One sweep from root to tip; what does not find its way out by its own joint is turned by one `lower` than that. Returns which joints were
+/// turned, as bits.
+#[inline(always)]
+fn sweep(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, moment: u32, lower: u32, bends: &mut Bends) -> u32 {
+    let length = root.length / co.segments as f32;
+    let (frames, places) = ([*base; MOST_SEGMENTS + 1], [root.at; MOST_SEGMENTS + 1]);
+    let mut blade = Posture { co, curl: root.curl, length, bends, frames, places };
+    let mut turned = 0;
+    for i in 0..count(co) {
+        blade.follow(i);
+        for end in 0..2 {
+            let point = points(blade.places[i], blade.frames[i + 1][2], length)[end];
+            let Some(there) = free(obstacles, moment, root, point) else { continue };
+            let j = i.saturating_sub(lower as usize);
+            blade.turn(j, point, there);
+            (j..=i).for_each(|k| blade.follow(k));
+            turned |= 1 << j;
+        }
+    }
+    turned
+}

@@ -1,0 +1,219 @@
+// Blades are turned out of bodies and off the ground. Twin: push.rs, where everything is explained. Needs chain, interaction/solid.
+// The host declares `fn push_solid(index: u32) -> SolidHead`.
+
+struct Root {
+    at: vec3<f32>,
+    length: f32,
+    yaw: f32,
+    lean: f32,
+    curl: f32,
+    unused: f32,
+    slope: vec2<f32>,
+    more_unused: vec2<f32>,
+}
+
+// Bodies that reach a patch: their first number and how many.
+struct Obstacles {
+    first: u32,
+    count: u32,
+}
+
+struct Pushed {
+    bends: array<vec2<f32>, 8>,
+    turned: u32,
+}
+
+struct PushFree {
+    moved: bool,
+    place: vec3<f32>,
+}
+
+const PUSH_SWEEPS: u32 = 16u;
+const PUSH_ROUNDS: u32 = 2u;
+const PUSH_PATIENCE: u32 = 2u;
+const PUSH_STRAIGHT: f32 = 0.02;
+const PUSH_SLACK: f32 = 1e-3;
+const PUSH_TOLERANCE: f32 = 5e-4;
+const PUSH_CLEAR: f32 = 1e-3;
+const PUSH_ROOM: f32 = 0.02;
+
+fn push_reaches(solid: SolidHead, root: Root) -> bool {
+    let near = all(root.at.xz >= solid.low.xz - root.length) && all(root.at.xz <= solid.high.xz + root.length);
+    return near && solid.low.y <= root.at.y + root.length;
+}
+
+fn push_reach(obstacles: Obstacles, root: Root) -> bool {
+    var near = false;
+    for (var k = 0u; k < obstacles.count && !near; k++) {
+        near = push_reaches(push_solid(obstacles.first + k), root);
+    }
+    return near;
+}
+
+fn push_free(obstacles: Obstacles, moment: u32, root: Root, at: vec3<f32>) -> PushFree {
+    let rise = 1.0 / sqrt(1.0 + root.slope.x * root.slope.x + root.slope.y * root.slope.y);
+    let normal = vec3<f32>(-root.slope.x, 1.0, -root.slope.y) * rise;
+    var free = PushFree(false, at);
+    for (var round = 0u; round < PUSH_ROUNDS; round++) {
+        let off = free.place - root.at;
+        let ground = (off.y - PUSH_CLEAR - root.slope.x * off.x - root.slope.y * off.z) * rise;
+        if ground < -PUSH_TOLERANCE {
+            free = PushFree(true, free.place + (PUSH_SLACK - ground) * normal);
+        }
+        for (var k = 0u; k < obstacles.count; k++) {
+            let solid = push_solid(obstacles.first + k);
+            if solid.moment != moment || !push_reaches(solid, root) {
+                continue;
+            }
+            let found = solid_nearness(solid, free.place, solid_stands_on(solid, root.at, PUSH_ROOM));
+            if found.distance < -PUSH_TOLERANCE {
+                free = PushFree(true, free.place + (PUSH_SLACK - found.distance) * found.normal);
+            }
+        }
+        if !free.moved {
+            return free;
+        }
+    }
+    return free;
+}
+
+fn push_touches(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, posture: array<vec2<f32>, 8>) -> bool {
+    var bends = posture;
+    var frame = base;
+    var at = root.at;
+    let length_ = root.length / f32(co.segments);
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        frame = frame * chain_rotation(bends[i] + chain_rest_turn(co.segments, root.curl, i));
+        for (var half = 1u; half <= 2u; half++) {
+            let point = at + 0.5 * f32(half) * length_ * frame[2];
+            for (var k = 0u; k < obstacles.count; k++) {
+                let solid = push_solid(obstacles.first + k);
+                if !push_reaches(solid, root) {
+                    continue;
+                }
+                if solid_nearness(solid, point, solid_stands_on(solid, root.at, PUSH_ROOM)).distance < -PUSH_TOLERANCE {
+                    return true;
+                }
+            }
+        }
+        at += length_ * frame[2];
+    }
+    return false;
+}
+
+// The bend that turns joint j so that `point` comes as far along the way to `goal` as that one is.
+fn push_turn(co: ChainCoefficients, curl: f32, j: u32, below: mat3x3<f32>, frame: mat3x3<f32>, joint: vec3<f32>, point: vec3<f32>, goal: vec3<f32>) -> vec2<f32> {
+    let way = goal - point;
+    let far = math_upper(sqrt(dot(way, way)), 1e-9);
+    let normal = way / far;
+    let arm = point - joint;
+    let lever = math_upper(sqrt(dot(arm, arm)), 1e-9);
+    let u = arm / lever;
+    let wanted = math_clamped(dot(normal, u) + far / lever, -1.0, 1.0);
+    var side = u - normal * dot(normal, u);
+    if dot(side, side) <= PUSH_STRAIGHT * PUSH_STRAIGHT {
+        side = frame[0] - normal * dot(normal, frame[0]);
+    }
+    let rest = sqrt(1.0 - wanted * wanted) / math_upper(sqrt(dot(side, side)), 1e-9);
+    let w = wanted * normal + rest * side;
+    let d = frame[2];
+    let share = (dot(u, d) + dot(w, d)) / math_upper(1.0 + dot(u, w), 1e-3);
+    let turned = d - share * (u + w) + 2.0 * dot(u, d) * w;
+    let size = math_upper(sqrt(dot(turned, turned)), 1e-9);
+    let bend = chain_bend_towards((turned / size) * below) - chain_rest_turn(co.segments, curl, j);
+    let bent = sqrt(bend.x * bend.x + bend.y * bend.y);
+    return bend * select(1.0, CHAIN_BEND_LIMIT / bent, bent > CHAIN_BEND_LIMIT);
+}
+
+fn push_sweep(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, moment: u32, lower: u32, posture: array<vec2<f32>, 8>) -> Pushed {
+    let length_ = root.length / f32(co.segments);
+    var result = Pushed(posture, 0u);
+    var frames: array<mat3x3<f32>, 9>;
+    var places: array<vec3<f32>, 9>;
+    frames[0] = base;
+    places[0] = root.at;
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        frames[i + 1u] = frames[i] * chain_rotation(result.bends[i] + chain_rest_turn(co.segments, root.curl, i));
+        places[i + 1u] = places[i] + length_ * frames[i + 1u][2];
+        for (var half = 1u; half <= 2u; half++) {
+            let point = places[i] + 0.5 * f32(half) * length_ * frames[i + 1u][2];
+            let free = push_free(obstacles, moment, root, point);
+            if !free.moved {
+                continue;
+            }
+            let j = i - min(i, lower);
+            result.bends[j] = push_turn(co, root.curl, j, frames[j], frames[j + 1u], places[j], point, free.place);
+            for (var k = j; k <= i; k++) {
+                frames[k + 1u] = frames[k] * chain_rotation(result.bends[k] + chain_rest_turn(co.segments, root.curl, k));
+                places[k + 1u] = places[k] + length_ * frames[k + 1u][2];
+            }
+            result.turned |= 1u << j;
+        }
+    }
+    return result;
+}
+
+// Where the tip is, from the root
+fn push_tip(co: ChainCoefficients, root: Root, base: mat3x3<f32>, posture: array<vec2<f32>, 8>) -> vec3<f32> {
+    var bends = posture;
+    var frame = base;
+    var at = vec3<f32>(0.0);
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        frame = frame * chain_rotation(bends[i] + chain_rest_turn(co.segments, root.curl, i));
+        at += (root.length / f32(co.segments)) * frame[2];
+    }
+    return at;
+}
+
+fn push_heading(k: u32) -> vec2<f32> {
+    let h = 0.70710678;
+    var headings = array<vec2<f32>, 8>(
+        vec2<f32>(1.0, 0.0), vec2<f32>(h, h), vec2<f32>(h, -h), vec2<f32>(0.0, 1.0),
+        vec2<f32>(0.0, -1.0), vec2<f32>(-h, h), vec2<f32>(-h, -h), vec2<f32>(-1.0, 0.0),
+    );
+    return headings[k];
+}
+
+// A blade that found no way out lies down straight; `turned` is 0 if it cannot.
+fn push_down(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, moment: u32, posture: array<vec2<f32>, 8>) -> Pushed {
+    let way = push_tip(co, root, base, posture);
+    let p = way.xz / math_upper(sqrt(way.x * way.x + way.z * way.z), 1e-9);
+    for (var k = 0u; k < 16u; k++) {
+        let tilt = select(vec2<f32>(0.8660254, 0.5), vec2<f32>(0.9961947, 0.08715574), k >= 8u);
+        let turn = push_heading(k % 8u);
+        let flat_ = vec2<f32>(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+        let rise = tilt.y + tilt.x * (root.slope.x * flat_.x + root.slope.y * flat_.y);
+        let direction = vec3<f32>(tilt.x * flat_.x, rise, tilt.x * flat_.y);
+        let first = chain_bend_towards((direction / sqrt(dot(direction, direction))) * base);
+        var lying = array<vec2<f32>, 8>();
+        for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+            lying[i] = select(vec2<f32>(0.0), first, i == 0u) - chain_rest_turn(co.segments, root.curl, i);
+        }
+        let swept = push_sweep(co, root, base, obstacles, moment, 0u, lying);
+        if swept.turned == 0u {
+            return Pushed(lying, (1u << co.segments) - 1u);
+        }
+    }
+    return Pushed(posture, 0u);
+}
+
+fn push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, posture: array<vec2<f32>, 8>) -> Pushed {
+    var result = Pushed(posture, 0u);
+    var last = 0u;
+    for (var k = 0u; k < obstacles.count; k++) {
+        last = max(last, push_solid(obstacles.first + k).moment);
+    }
+    for (var moment = 0u; moment <= last; moment++) {
+        var moved = 1u;
+        for (var number = 0u; number < PUSH_SWEEPS && moved != 0u; number++) {
+            let swept = push_sweep(co, root, base, obstacles, moment, number / PUSH_PATIENCE % co.segments, result.bends);
+            moved = swept.turned;
+            result = Pushed(swept.bends, result.turned | moved);
+        }
+        if moved != 0u {
+            let down = push_down(co, root, base, obstacles, moment, result.bends);
+            result = Pushed(down.bends, result.turned | down.turned);
+        }
+    }
+    return result;
+}

@@ -1,0 +1,219 @@
+//! The step of a stand that moves blade by blade: its plan as the passes read it, and the passes.
+
+use bytemuck::{Pod, Zeroable};
+use sward::plan::{PatchPlan, StandPlan};
+use sward::response::StandModel;
+use sward::response::chain::{self, ChainCoefficients, ChainModel, MOST_SEGMENTS, SPEEDS};
+use sward::response::oscillation;
+use sward::state::{NONE, TILE};
+
+use super::Work;
+use super::buffers::CellBuffers;
+use super::passes::Pass;
+use crate::gpu::Gpu;
+use crate::stopwatch::Stopwatch;
+
+/// `ChainStand`, for hosts that read virtual blades; needs [`chain::WGSL`] before it.
+pub const CHAIN_STAND_WGSL: &str = include_str!("chain_stand.wgsl");
+
+/// Words of a patch's summary.
+pub const SUMMARY_WORDS: u32 = 7;
+
+/// `ChainStand` of `blades.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ChainUniform {
+    /// Kernel numbers.
+    pub coefficients: ChainCoefficients,
+    /// Virtual blades along a patch side.
+    pub virtual_side: u32,
+    /// Blades of a patch.
+    pub blades: u32,
+    /// 1: every blade of a patch with room is held.
+    pub all: u32,
+    /// Cells along a patch side.
+    pub cells: u32,
+    /// Step, s.
+    pub dt: f32,
+    /// m.
+    pub patch_side: f32,
+    /// Where planes begin behind the solids, `vec4`s.
+    pub planes: u32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: u32,
+    /// [`sward::response::chain::Steady::values`].
+    pub steady: [[f32; 2]; SPEEDS * MOST_SEGMENTS],
+}
+
+impl ChainUniform {
+    /// Numbers of a stand whose step has `solids` solids.
+    pub fn new(stand: &StandModel, chain: &ChainModel, dt: f64, solids: usize) -> Self {
+        let mut steady = [[0.0; 2]; SPEEDS * MOST_SEGMENTS];
+        steady.iter_mut().zip(&chain.steady.values).for_each(|(to, from)| *to = *from);
+        Self {
+            coefficients: chain.coefficients,
+            virtual_side: chain.virtual_side,
+            blades: chain.blades_of_patch(stand.cells),
+            all: u32::from(chain.all),
+            cells: stand.cells,
+            dt: dt as f32,
+            patch_side: stand.patch_side as f32,
+            planes: 6 * solids as u32,
+            unused: 0,
+            steady,
+        }
+    }
+}
+
+/// `ChainPatch` of `blades.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ChainPatch {
+    /// Where its virtual blades are.
+    pub slot: u32,
+    /// Where its blades are, or none.
+    pub lag: u32,
+    /// 1: it wakes; 2: it is the tiled wind patch; 4: its blades are new; 8: they are handed back.
+    pub flags: u32,
+    /// Its place in the summaries.
+    pub entry: u32,
+    /// Which patch.
+    pub patch: [i32; 2],
+    /// First of its solids.
+    pub solid_first: u32,
+    /// Their number.
+    pub solid_count: u32,
+    /// How far virtual blades rule at its corners.
+    pub weights: [f32; 4],
+    /// Share of its deviation it keeps.
+    pub keep: f32,
+    /// Pixels of a metre where it is nearest to a focus.
+    pub pixels: f32,
+    /// Slots of the 3×3 patches around it, or none.
+    pub around: [u32; 9],
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: u32,
+}
+
+fn entry((number, patch): (usize, &PatchPlan)) -> ChainPatch {
+    let flag = |on: bool, bit: u32| if on { bit } else { 0 };
+    ChainPatch {
+        slot: patch.slot,
+        lag: patch.lag,
+        flags: flag(patch.woken, 1) | flag(patch.patch == TILE, 2) | flag(patch.lag_woken, 4) | flag(patch.handing, 8),
+        entry: number as u32,
+        patch: patch.patch,
+        solid_first: patch.solids.start as u32,
+        solid_count: patch.solids.len() as u32,
+        weights: patch.weights,
+        keep: patch.keep,
+        pixels: patch.pixels,
+        around: patch.around,
+        unused: 0,
+    }
+}
+
+/// The full text of the compute shader.
+pub fn assembled() -> String {
+    let constants =
+        format!("const SUMMARY_WORDS: u32 = {SUMMARY_WORDS}u;\nconst BLADES_RESTLESS: f32 = {:?};", sward::response::chain::RESTLESS);
+    let mut parts = vec![sward::math::WGSL, sward::wind::WGSL, oscillation::WGSL];
+    parts.extend(chain::WGSL.iter().chain(&chain::STANDING_WGSL));
+    parts.push(sward::interaction::solid::WGSL);
+    parts.extend(chain::HELD_WGSL);
+    parts.push(&constants);
+    parts.extend([CHAIN_STAND_WGSL, include_str!("blades.wgsl")]);
+    parts.join("\n")
+}
+
+/// The two passes.
+pub struct BladePasses {
+    virtual_blades: Pass,
+    blades: Pass,
+    tile: wgpu::Buffer,
+}
+
+impl BladePasses {
+    /// Builds the pipelines; `wind_texels` as of [`sward::model::Model::wind_texels`].
+    pub fn new(gpu: &Gpu, wind_texels: &[[f32; 2]]) -> Self {
+        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("blades"),
+            source: wgpu::ShaderSource::Wgsl(assembled().into()),
+        });
+        Self {
+            virtual_blades: Pass::plain(gpu, &module, "virtual_pass", &[0, 1, 2, 3, 4, 5, 8, 11, 14]),
+            blades: Pass::plain(gpu, &module, "blades_pass", &[0, 1, 2, 3, 4, 6, 7, 8, 10, 11, 14]),
+            tile: gpu.filled("wind tile", bytemuck::cast_slice(wind_texels), wgpu::BufferUsages::STORAGE),
+        }
+    }
+
+    /// Records one step of a stand; `cells.now` is one step on when it has run. Returns the summaries, [`SUMMARY_WORDS`] a patch.
+    pub fn record(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        (stand, chain, dt): (&StandModel, &ChainModel, f64),
+        plan: &StandPlan,
+        cells: &mut CellBuffers,
+        work: &mut Work,
+        mut stopwatch: Option<&mut Stopwatch>,
+    ) -> wgpu::Buffer {
+        let mut filled = |label: &str, bytes: &[u8], usage: wgpu::BufferUsages| {
+            work.uploaded += bytes.len() as u64;
+            let padding = [0; 96];
+            gpu.filled(label, if bytes.is_empty() { &padding } else { bytes }, usage)
+        };
+        let (uniform, storage) = (wgpu::BufferUsages::UNIFORM, wgpu::BufferUsages::STORAGE);
+        let all: Vec<ChainPatch> = plan.patches.iter().enumerate().map(entry).collect();
+        let with_room: Vec<ChainPatch> = all.iter().filter(|patch| patch.lag != NONE).copied().collect();
+        let numbers = ChainUniform::new(stand, chain, dt, plan.solids.heads.len());
+        let intervals = stand.cells / sward::response::continuum::NODE_CELLS;
+        let (wind, tile_wind) = (plan.wind.block(intervals), plan.tile_wind.block(intervals));
+        let solids = [bytemuck::cast_slice::<_, u8>(&plan.solids.heads), bytemuck::cast_slice(&plan.solids.planes)].concat();
+        let numbers = filled("blades", bytemuck::bytes_of(&numbers), uniform);
+        let wind = filled("wind", bytemuck::bytes_of(&wind), uniform);
+        let tile_wind = filled("tiled wind", bytemuck::bytes_of(&tile_wind), uniform);
+        let words = filled("solids", &solids, storage);
+        let (awake, roomy) = (filled("awake patches", bytemuck::cast_slice(&all), storage), filled("patches with blades", bytemuck::cast_slice(&with_room), storage));
+        let summary = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("summaries"),
+            size: 4 * u64::from(SUMMARY_WORDS) * (all.len() as u64).max(1),
+            usage: storage | wgpu::BufferUsages::COPY_SRC,
+            mapped_at_creation: false,
+        });
+        let mut run = |pass: &Pass, patches: &wgpu::Buffer, cells: &CellBuffers, groups: [u32; 3]| {
+            let bound = [
+                (0, &numbers),
+                (1, &wind),
+                (2, patches),
+                (3, &cells.now),
+                (4, &cells.old),
+                (5, &cells.states),
+                (6, &cells.upper),
+                (7, &cells.roots),
+                (8, &self.tile),
+                (10, &words),
+                (11, &summary),
+                (14, &tile_wind),
+            ];
+            work.add(&pass.run(gpu, encoder, &bound, groups, stopwatch.as_deref_mut()));
+        };
+        let side = chain.virtual_side / 8;
+        run(&self.virtual_blades, &awake, cells, [side, side, all.len() as u32]);
+        cells.swap();
+        let blades = chain.blades_of_patch(stand.cells);
+        if !with_room.is_empty() {
+            run(&self.blades, &roomy, cells, [blades.div_ceil(64), with_room.len() as u32, 1]);
+        }
+        work.traffic += traffic(chain, blades, [all.len(), with_room.len()]);
+        summary
+    }
+}
+
+/// Bytes that the passes read and write at least: states read and written, moments written, of virtual blades; of patches with room the hold of each
+/// blade and where it stands. Blades that are held take more: how many is not known here.
+fn traffic(chain: &ChainModel, blades: u32, [awake, with_room]: [usize; 2]) -> u64 {
+    let n = u64::from(chain.coefficients.segments);
+    let virtual_blades = u64::from(chain.virtual_side) * u64::from(chain.virtual_side);
+    awake as u64 * virtual_blades * n * (16 + 16 + 8) + with_room as u64 * u64::from(blades) * (8 + 48)
+}

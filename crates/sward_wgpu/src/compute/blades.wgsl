@@ -1,0 +1,223 @@
+// One step of a stand that moves blade by blade: virtual blades, then blades with a state. Twin: response/chain/step.rs in the core.
+
+struct ChainPatch {
+    slot: u32,
+    lag: u32,
+    flags: u32,        // 1: it wakes; 2: it is the tiled wind patch; 4: its blades are new; 8: they are handed back
+    entry: u32,        // its place in the summaries
+    patch_index: vec2<i32>,
+    solid_first: u32,
+    solid_count: u32,
+    weights: vec4<f32>,
+    keep: f32,
+    pixels: f32,
+    around: array<u32, 9>,
+    unused: u32,
+}
+
+@group(0) @binding(0) var<uniform> chain: ChainStand;
+@group(0) @binding(1) var<uniform> wind: WindBlock;
+@group(0) @binding(2) var<storage, read> patches: array<ChainPatch>;
+@group(0) @binding(3) var<storage, read_write> now: array<f32>;
+@group(0) @binding(4) var<storage, read_write> old: array<f32>;
+@group(0) @binding(5) var<storage, read_write> states: array<f32>;
+@group(0) @binding(6) var<storage, read_write> blades: array<f32>;
+@group(0) @binding(7) var<storage, read> roots: array<Root>;
+@group(0) @binding(8) var<storage, read> tile: array<vec2<f32>>;
+// Solids (six vec4 each), then planes from `chain.planes` on.
+@group(0) @binding(10) var<storage, read> words: array<vec4<u32>>;
+@group(0) @binding(11) var<storage, read_write> summary: array<atomic<u32>>;
+@group(0) @binding(14) var<uniform> tile_wind: WindBlock;
+
+var<private> entry: ChainPatch;
+
+fn wind_tile_load(index: u32) -> vec2<f32> {
+    return tile[index];
+}
+
+fn steady_load(index: u32) -> vec2<f32> {
+    let pair = chain.steady[index / 2u];
+    return select(pair.xy, pair.zw, (index & 1u) == 1u);
+}
+
+fn standing_load(before: bool, index: u32) -> f32 {
+    if before {
+        return old[index];
+    }
+    return now[index];
+}
+
+fn solid_plane(index: u32) -> vec4<f32> {
+    return bitcast<vec4<f32>>(words[chain.planes + index]);
+}
+
+fn push_solid(index: u32) -> SolidHead {
+    let first = 6u * index;
+    let head = words[first];
+    return SolidHead(
+        head.x, head.y, head.z, head.w,
+        bitcast<vec4<f32>>(words[first + 1u]),
+        bitcast<vec4<f32>>(words[first + 2u]),
+        bitcast<vec4<f32>>(words[first + 3u]),
+        bitcast<vec4<f32>>(words[first + 4u]),
+        bitcast<vec4<f32>>(words[first + 5u]),
+    );
+}
+
+/// The air at a place of the patch at hand.
+fn air_at(local: vec2<f32>) -> vec2<f32> {
+    var velocity = wind.mean;
+    for (var k = 0u; k < wind.count; k++) {
+        var octave = wind.octaves[k];
+        if (entry.flags & 2u) != 0u {
+            octave = tile_wind.octaves[k];
+        }
+        let base = wind_patch_phase(octave, entry.patch_index, wind.intervals);
+        velocity += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
+    }
+    for (var k = 0u; k < wind.footprint_count; k++) {
+        let print = wind.footprints[k];
+        let base = wind_footprint_base(print, entry.patch_index, wind.intervals);
+        velocity += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
+    }
+    return velocity;
+}
+
+fn held_wind(root: Root) -> vec2<f32> {
+    return air_at(root.at.xz);
+}
+
+fn held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 8> {
+    let standing = Standing(entry.around, entry.weights, chain.patch_side, chain.virtual_side);
+    var steady = array<vec2<f32>, 8>();
+    if standing_needs_wind(standing) {
+        steady = steady_at(air_at(root.at.xz)).moments;
+    }
+    let moments = standing_moments(standing, chain.coefficients.segments, before, root.at.xz, steady);
+    return standing_pose(chain.coefficients, base, root.curl, moments);
+}
+
+var<workgroup> peak: array<atomic<u32>, 2>;
+
+fn report(first: bool) {
+    workgroupBarrier();
+    if first {
+        let largest = atomicLoad(&peak[0]);
+        if largest > 0u { atomicMax(&summary[entry.entry * SUMMARY_WORDS], largest); }
+        let count = atomicLoad(&peak[1]);
+        if count > 0u { atomicAdd(&summary[entry.entry * SUMMARY_WORDS + 6u], count); }
+    }
+}
+
+/// Virtual blades: their states, and the moments that the blades around them bend by; those go into `old`, the next `now`.
+@compute @workgroup_size(8, 8)
+fn virtual_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    entry = patches[id.z];
+    let n = chain.coefficients.segments;
+    let area = chain.virtual_side * chain.virtual_side;
+    let index = id.y * chain.virtual_side + id.x;
+    let place = (vec2<f32>(id.xy) + 0.5) * (chain.patch_side / f32(chain.virtual_side));
+    let air = air_at(place);
+    var steady = steady_at(air);
+    let upright = mat3x3<f32>(vec3<f32>(1.0, 0.0, 0.0), vec3<f32>(0.0, 0.0, -1.0), vec3<f32>(0.0, 1.0, 0.0));
+    let first = entry.slot * 4u * n * area + index;
+    let moments_first = entry.slot * 2u * n * area + index;
+    var state = ChainState();
+    let wakes = (entry.flags & 1u) != 0u;
+    for (var i = 0u; i < n; i++) {
+        if wakes {
+            state.joints[i] = vec4<f32>(steady.bends[i], 0.0, 0.0);
+        } else {
+            let at = first + 4u * i * area;
+            state.joints[i] = vec4<f32>(states[at], states[at + area], states[at + 2u * area], states[at + 3u * area]);
+        }
+    }
+    if wakes {
+        var moments = virtual_inertia_moments(chain.coefficients, upright, state);
+        for (var i = 0u; i < n; i++) {
+            now[moments_first + 2u * i * area] = moments[i].x;
+            now[moments_first + (2u * i + 1u) * area] = moments[i].y;
+        }
+    }
+    state = chain_step(chain.coefficients, upright, 0.0, vec3<f32>(air.x, 0.0, air.y), chain.dt, state);
+    var largest = 0.0;
+    for (var i = 0u; i < n; i++) {
+        let bend = entry.keep * (state.joints[i].xy - steady.bends[i]);
+        let rate = entry.keep * state.joints[i].zw;
+        if entry.keep < 1.0 {
+            state.joints[i] = vec4<f32>(steady.bends[i] + bend, rate);
+        }
+        largest = max(largest, max(bend.x * bend.x + bend.y * bend.y, rate.x * rate.x + rate.y * rate.y));
+    }
+    var moments = virtual_inertia_moments(chain.coefficients, upright, state);
+    for (var i = 0u; i < n; i++) {
+        let at = first + 4u * i * area;
+        let joint = state.joints[i];
+        states[at] = joint.x;
+        states[at + area] = joint.y;
+        states[at + 2u * area] = joint.z;
+        states[at + 3u * area] = joint.w;
+        old[moments_first + 2u * i * area] = moments[i].x;
+        old[moments_first + (2u * i + 1u) * area] = moments[i].y;
+    }
+    atomicMax(&peak[0], bitcast<u32>(largest));
+    report(local == 0u);
+}
+
+/// Blades of the patches that have room for them; `now` is the new present here.
+@compute @workgroup_size(64)
+fn blades_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    entry = patches[id.y];
+    if id.x < chain.blades {
+        let n = chain.coefficients.segments;
+        let first = entry.lag * (6u * n + 2u) * chain.blades + id.x;
+        let root = roots[entry.lag * chain.blades + id.x];
+        let fresh = (entry.flags & 4u) != 0u;
+        let by = Holding(
+            Obstacles(entry.solid_first, entry.solid_count), chain.dt, entry.keep, entry.pixels,
+            chain.all != 0u, (entry.flags & 8u) != 0u,
+        );
+        var blade = HeldBlade();
+        if !fresh {
+            blade.hold = blades[first + 6u * n * chain.blades];
+            blade.hold_before = blades[first + (6u * n + 1u) * chain.blades];
+        }
+        // Most are neither held nor within reach of a body.
+        let idle = blade.hold <= 0.0 && blade.hold_before <= 0.0 && !by.all;
+        if fresh || (root.length > 0.0 && !(idle && !push_reach(by.obstacles, root))) {
+            for (var i = 0u; i < n && !fresh; i++) {
+                let at = first + 4u * i * chain.blades;
+                blade.state.joints[i] = vec4<f32>(blades[at], blades[at + chain.blades], blades[at + 2u * chain.blades], blades[at + 3u * chain.blades]);
+                let back = first + (4u * n + 2u * i) * chain.blades;
+                blade.before[i] = vec2<f32>(blades[back], blades[back + chain.blades]);
+            }
+            blade = held_step(chain.coefficients, by, root, blade);
+            for (var i = 0u; i < n; i++) {
+                let at = first + 4u * i * chain.blades;
+                let joint = blade.state.joints[i];
+                blades[at] = joint.x;
+                blades[at + chain.blades] = joint.y;
+                blades[at + 2u * chain.blades] = joint.z;
+                blades[at + 3u * chain.blades] = joint.w;
+                let back = first + (4u * n + 2u * i) * chain.blades;
+                blades[back] = blade.before[i].x;
+                blades[back + chain.blades] = blade.before[i].y;
+            }
+            blades[first + 6u * n * chain.blades] = blade.hold;
+            blades[first + (6u * n + 1u) * chain.blades] = blade.hold_before;
+        }
+        if blade.hold > 0.0 {
+            atomicAdd(&peak[1], 1u);
+            var restless = BLADES_RESTLESS;
+            if chain.all != 0u {
+                restless = 0.0;
+                for (var i = 0u; i < n; i++) {
+                    let rate = blade.state.joints[i].zw;
+                    restless = max(restless, rate.x * rate.x + rate.y * rate.y);
+                }
+            }
+            atomicMax(&peak[0], bitcast<u32>(restless));
+        }
+    }
+    report(local == 0u);
+}
