@@ -9,7 +9,7 @@ use sward::state::{NONE, TILE};
 
 use super::Work;
 use super::buffers::CellBuffers;
-use super::passes::Pass;
+use super::passes::{Groups, Pass};
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
 
@@ -39,15 +39,15 @@ pub struct ChainUniform {
     pub patch_side: f32,
     /// Where planes begin behind the solids, `vec4`s.
     pub planes: u32,
-    /// Keeps the size a multiple of 16 bytes.
-    pub unused: u32,
+    /// Where the list of busy blades begins behind the summaries, words.
+    pub busy: u32,
     /// [`sward::response::chain::Steady::values`].
     pub steady: [[f32; 2]; SPEEDS * MOST_SEGMENTS],
 }
 
 impl ChainUniform {
-    /// Numbers of a stand whose step has `solids` solids.
-    pub fn new(stand: &StandModel, chain: &ChainModel, dt: f64, solids: usize) -> Self {
+    /// Numbers of a stand whose step has `solids` solids and `patches` patches.
+    pub fn new(stand: &StandModel, chain: &ChainModel, dt: f64, [solids, patches]: [usize; 2]) -> Self {
         let mut steady = [[0.0; 2]; SPEEDS * MOST_SEGMENTS];
         steady.iter_mut().zip(&chain.steady.values).for_each(|(to, from)| *to = *from);
         Self {
@@ -59,7 +59,7 @@ impl ChainUniform {
             dt: dt as f32,
             patch_side: stand.patch_side as f32,
             planes: 6 * solids as u32,
-            unused: 0,
+            busy: SUMMARY_WORDS * patches as u32,
             steady,
         }
     }
@@ -126,9 +126,10 @@ pub fn assembled() -> String {
     parts.join("\n")
 }
 
-/// The two passes.
+/// The passes.
 pub struct BladePasses {
     virtual_blades: Pass,
+    busy: Pass,
     blades: Pass,
     tile: wgpu::Buffer,
 }
@@ -142,6 +143,7 @@ impl BladePasses {
         });
         Self {
             virtual_blades: Pass::plain(gpu, &module, "virtual_pass", &[0, 1, 2, 3, 4, 5, 8, 11, 14]),
+            busy: Pass::plain(gpu, &module, "busy_pass", &[0, 2, 6, 7, 10, 11]),
             blades: Pass::plain(gpu, &module, "blades_pass", &[0, 1, 2, 3, 4, 6, 7, 8, 10, 11, 14]),
             tile: gpu.filled("wind tile", bytemuck::cast_slice(wind_texels), wgpu::BufferUsages::STORAGE),
         }
@@ -166,7 +168,7 @@ impl BladePasses {
         let (uniform, storage) = (wgpu::BufferUsages::UNIFORM, wgpu::BufferUsages::STORAGE);
         let all: Vec<ChainPatch> = plan.patches.iter().enumerate().map(entry).collect();
         let with_room: Vec<ChainPatch> = all.iter().filter(|patch| patch.lag != NONE).copied().collect();
-        let numbers = ChainUniform::new(stand, chain, dt, plan.solids.heads.len());
+        let numbers = ChainUniform::new(stand, chain, dt, [plan.solids.heads.len(), all.len()]);
         let intervals = stand.cells / sward::response::continuum::NODE_CELLS;
         let (wind, tile_wind) = (plan.wind.block(intervals), plan.tile_wind.block(intervals));
         let solids = [bytemuck::cast_slice::<_, u8>(&plan.solids.heads), bytemuck::cast_slice(&plan.solids.planes)].concat();
@@ -175,13 +177,16 @@ impl BladePasses {
         let tile_wind = filled("tiled wind", bytemuck::bytes_of(&tile_wind), uniform);
         let words = filled("solids", &solids, storage);
         let (awake, roomy) = (filled("awake patches", bytemuck::cast_slice(&all), storage), filled("patches with blades", bytemuck::cast_slice(&with_room), storage));
-        let summary = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("summaries"),
-            size: 4 * u64::from(SUMMARY_WORDS) * (all.len() as u64).max(1),
-            usage: storage | wgpu::BufferUsages::COPY_SRC,
-            mapped_at_creation: false,
-        });
-        let mut run = |pass: &Pass, patches: &wgpu::Buffer, cells: &CellBuffers, groups: [u32; 3]| {
+        let blades = chain.blades_of_patch(stand.cells);
+        let make = |label: &str, words: u64, usage: wgpu::BufferUsages| {
+            let usage = usage | wgpu::BufferUsages::COPY_DST;
+            gpu.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size: 4 * words, usage, mapped_at_creation: false })
+        };
+        let busy = u64::from(SUMMARY_WORDS) * all.len() as u64;
+        let listed = 2 * u64::from(blades) * with_room.len() as u64;
+        let summary = make("summaries", busy + 4 + listed.max(2), storage | wgpu::BufferUsages::COPY_SRC);
+        gpu.queue.write_buffer(&summary, 4 * busy, bytemuck::cast_slice(&[0_u32, 1, 1, 0]));
+        let mut run = |encoder: &mut wgpu::CommandEncoder, pass: &Pass, patches: &wgpu::Buffer, cells: &CellBuffers, groups: Groups<'_>| {
             let bound = [
                 (0, &numbers),
                 (1, &wind),
@@ -199,11 +204,13 @@ impl BladePasses {
             work.add(&pass.run(gpu, encoder, &bound, groups, stopwatch.as_deref_mut()));
         };
         let side = chain.virtual_side / 8;
-        run(&self.virtual_blades, &awake, cells, [side, side, all.len() as u32]);
+        run(encoder, &self.virtual_blades, &awake, cells, Groups::Direct([side, side, all.len() as u32]));
         cells.swap();
-        let blades = chain.blades_of_patch(stand.cells);
         if !with_room.is_empty() {
-            run(&self.blades, &roomy, cells, [blades.div_ceil(64), with_room.len() as u32, 1]);
+            run(encoder, &self.busy, &roomy, cells, Groups::Direct([blades.div_ceil(64), with_room.len() as u32, 1]));
+            let groups = make("groups of busy blades", 3, wgpu::BufferUsages::INDIRECT);
+            encoder.copy_buffer_to_buffer(&summary, 4 * busy, &groups, 0, Some(12));
+            run(encoder, &self.blades, &roomy, cells, Groups::Indirect(&groups));
         }
         work.traffic += traffic(chain, blades, [all.len(), with_room.len()]);
         summary

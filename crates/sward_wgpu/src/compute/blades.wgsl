@@ -26,6 +26,8 @@ struct ChainPatch {
 @group(0) @binding(8) var<storage, read> tile: array<vec2<f32>>;
 // Solids (six vec4 each), then planes from `chain.planes` on.
 @group(0) @binding(10) var<storage, read> words: array<vec4<u32>>;
+// Summaries, then from `chain.busy` on what the dispatch of the busy blades asks for (three words), how many they are, and of each the number of its
+// patch in `patches` and its own, in no order.
 @group(0) @binding(11) var<storage, read_write> summary: array<atomic<u32>>;
 @group(0) @binding(14) var<uniform> tile_wind: WindBlock;
 
@@ -97,17 +99,7 @@ fn held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 
     return standing_pose(chain.coefficients, base, root.curl, moments);
 }
 
-var<workgroup> peak: array<atomic<u32>, 2>;
-
-fn report(first: bool) {
-    workgroupBarrier();
-    if first {
-        let largest = atomicLoad(&peak[0]);
-        if largest > 0u { atomicMax(&summary[entry.entry * SUMMARY_WORDS], largest); }
-        let count = atomicLoad(&peak[1]);
-        if count > 0u { atomicAdd(&summary[entry.entry * SUMMARY_WORDS + 6u], count); }
-    }
-}
+var<workgroup> peak: atomic<u32>;
 
 /// Virtual blades: their states, and the moments that the blades around them bend by; those go into `old`, the next `now`.
 @compute @workgroup_size(8, 8)
@@ -160,64 +152,83 @@ fn virtual_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_inv
         old[moments_first + 2u * i * area] = moments[i].x;
         old[moments_first + (2u * i + 1u) * area] = moments[i].y;
     }
-    atomicMax(&peak[0], bitcast<u32>(largest));
-    report(local == 0u);
+    atomicMax(&peak, bitcast<u32>(largest));
+    workgroupBarrier();
+    if local == 0u {
+        atomicMax(&summary[entry.entry * SUMMARY_WORDS], atomicLoad(&peak));
+    }
 }
 
-/// Blades of the patches that have room for them; `now` is the new present here.
+/// Most blades are neither held nor within reach of a body: those that are not are listed, since moving one takes long.
 @compute @workgroup_size(64)
-fn blades_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    entry = patches[id.y];
-    if id.x < chain.blades {
-        let n = chain.coefficients.segments;
-        let first = entry.lag * (6u * n + 2u) * chain.blades + id.x;
-        let root = roots[entry.lag * chain.blades + id.x];
-        let fresh = (entry.flags & 4u) != 0u;
-        let by = Holding(
-            Obstacles(entry.solid_first, entry.solid_count), chain.dt, entry.keep, entry.pixels,
-            chain.all != 0u, (entry.flags & 8u) != 0u,
-        );
-        var blade = HeldBlade();
-        if !fresh {
-            blade.hold = blades[first + 6u * n * chain.blades];
-            blade.hold_before = blades[first + (6u * n + 1u) * chain.blades];
-        }
-        // Most are neither held nor within reach of a body.
-        let idle = blade.hold <= 0.0 && blade.hold_before <= 0.0 && !by.all;
-        if fresh || (root.length > 0.0 && !(idle && !push_reach(by.obstacles, root))) {
-            for (var i = 0u; i < n && !fresh; i++) {
-                let at = first + 4u * i * chain.blades;
-                blade.state.joints[i] = vec4<f32>(blades[at], blades[at + chain.blades], blades[at + 2u * chain.blades], blades[at + 3u * chain.blades]);
-                let back = first + (4u * n + 2u * i) * chain.blades;
-                blade.before[i] = vec2<f32>(blades[back], blades[back + chain.blades]);
-            }
-            blade = held_step(chain.coefficients, by, root, blade);
-            for (var i = 0u; i < n; i++) {
-                let at = first + 4u * i * chain.blades;
-                let joint = blade.state.joints[i];
-                blades[at] = joint.x;
-                blades[at + chain.blades] = joint.y;
-                blades[at + 2u * chain.blades] = joint.z;
-                blades[at + 3u * chain.blades] = joint.w;
-                let back = first + (4u * n + 2u * i) * chain.blades;
-                blades[back] = blade.before[i].x;
-                blades[back + chain.blades] = blade.before[i].y;
-            }
-            blades[first + 6u * n * chain.blades] = blade.hold;
-            blades[first + (6u * n + 1u) * chain.blades] = blade.hold_before;
-        }
-        if blade.hold > 0.0 {
-            atomicAdd(&peak[1], 1u);
-            var restless = BLADES_RESTLESS;
-            if chain.all != 0u {
-                restless = 0.0;
-                for (var i = 0u; i < n; i++) {
-                    let rate = blade.state.joints[i].zw;
-                    restless = max(restless, rate.x * rate.x + rate.y * rate.y);
-                }
-            }
-            atomicMax(&peak[0], bitcast<u32>(restless));
-        }
+fn busy_pass(@builtin(global_invocation_id) id: vec3<u32>) {
+    let present = patches[id.y];
+    if id.x >= chain.blades {
+        return;
     }
-    report(local == 0u);
+    let n = chain.coefficients.segments;
+    let end = (present.lag * (6u * n + 2u) + 6u * n) * chain.blades + id.x;
+    let root = roots[present.lag * chain.blades + id.x];
+    if (present.flags & 4u) != 0u {
+        blades[end] = 0.0;
+        blades[end + chain.blades] = 0.0;
+    }
+    let rests = blades[end] <= 0.0 && blades[end + chain.blades] <= 0.0 && chain.all == 0u;
+    if root.length <= 0.0 || (rests && !push_reach(Obstacles(present.solid_first, present.solid_count, 0u, 0u), root)) {
+        return;
+    }
+    let place = atomicAdd(&summary[chain.busy + 3u], 1u);
+    atomicStore(&summary[chain.busy + 4u + 2u * place], id.y);
+    atomicStore(&summary[chain.busy + 5u + 2u * place], id.x);
+    atomicMax(&summary[chain.busy], place / 64u + 1u);
+}
+
+/// Blades that are held or may be touched; `now` is the new present here.
+@compute @workgroup_size(64)
+fn blades_pass(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= atomicLoad(&summary[chain.busy + 3u]) {
+        return;
+    }
+    let which = vec2<u32>(atomicLoad(&summary[chain.busy + 4u + 2u * id.x]), atomicLoad(&summary[chain.busy + 5u + 2u * id.x]));
+    entry = patches[which.x];
+    let n = chain.coefficients.segments;
+    let first = entry.lag * (6u * n + 2u) * chain.blades + which.y;
+    let root = roots[entry.lag * chain.blades + which.y];
+    let by = Holding(
+        Obstacles(entry.solid_first, entry.solid_count, 0u, 0u), chain.dt, entry.keep, entry.pixels,
+        chain.all != 0u, (entry.flags & 8u) != 0u,
+    );
+    var blade = HeldBlade();
+    blade.hold = blades[first + 6u * n * chain.blades];
+    blade.hold_before = blades[first + (6u * n + 1u) * chain.blades];
+    for (var i = 0u; i < n; i++) {
+        let at = first + 4u * i * chain.blades;
+        blade.state.joints[i] = vec4<f32>(blades[at], blades[at + chain.blades], blades[at + 2u * chain.blades], blades[at + 3u * chain.blades]);
+    }
+    blade = held_step(chain.coefficients, by, root, blade);
+    for (var i = 0u; i < n; i++) {
+        let at = first + 4u * i * chain.blades;
+        let joint = blade.state.joints[i];
+        blades[at] = joint.x;
+        blades[at + chain.blades] = joint.y;
+        blades[at + 2u * chain.blades] = joint.z;
+        blades[at + 3u * chain.blades] = joint.w;
+        let back = first + (4u * n + 2u * i) * chain.blades;
+        blades[back] = blade.before[i].x;
+        blades[back + chain.blades] = blade.before[i].y;
+    }
+    blades[first + 6u * n * chain.blades] = blade.hold;
+    blades[first + (6u * n + 1u) * chain.blades] = blade.hold_before;
+    if blade.hold > 0.0 {
+        var restless = BLADES_RESTLESS;
+        if chain.all != 0u {
+            restless = 0.0;
+            for (var i = 0u; i < n; i++) {
+                let rate = blade.state.joints[i].zw;
+                restless = max(restless, rate.x * rate.x + rate.y * rate.y);
+            }
+        }
+        atomicAdd(&summary[entry.entry * SUMMARY_WORDS + 6u], 1u);
+        atomicMax(&summary[entry.entry * SUMMARY_WORDS], bitcast<u32>(restless));
+    }
 }

@@ -108,7 +108,7 @@ impl CellBuffers {
             states: empty(),
             roots: empty(),
             numbers: stand.chain.as_ref().map(|chain| {
-                let numbers = ChainUniform::new(stand, chain, 0.0, 0);
+                let numbers = ChainUniform::new(stand, chain, 0.0, [0, 0]);
                 gpu.filled("blades", bytemuck::bytes_of(&numbers), wgpu::BufferUsages::UNIFORM)
             }),
         }

@@ -9,6 +9,6 @@ struct ChainStand {
     dt: f32,
     patch_side: f32,
     planes: u32,       // first vec4 of `words` that is a plane
-    unused: u32,
+    busy: u32,         // first word of the busy blades behind the summaries
     steady: array<vec4<f32>, 256>, // ψ and moment of two joints each, by speed
 }

@@ -80,10 +80,10 @@ impl Pass {
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         bound: &[(u32, &wgpu::Buffer)],
-        groups: [u32; 3],
+        groups: Groups<'_>,
         stopwatch: Option<&mut Stopwatch>,
     ) -> Work {
-        if groups[2] == 0 {
+        if matches!(groups, Groups::Direct([_, _, 0])) {
             return Work::default();
         }
         let entries: Vec<wgpu::BindGroupEntry> = bound
@@ -102,8 +102,30 @@ impl Pass {
         });
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &group, &[]);
-        pass.dispatch_workgroups(groups[0], groups[1], groups[2]);
-        Work { dispatches: 1, invocations: 64 * groups.map(u64::from).iter().product::<u64>(), ..Work::default() }
+        match groups {
+            Groups::Direct([x, y, z]) => pass.dispatch_workgroups(x, y, z),
+            Groups::Indirect(buffer) => pass.dispatch_workgroups_indirect(buffer, 0),
+        }
+        Work { dispatches: 1, invocations: groups.invocations(), ..Work::default() }
+    }
+}
+
+/// Workgroups of a pass.
+#[derive(Clone, Copy)]
+pub(super) enum Groups<'a> {
+    /// Known.
+    Direct([u32; 3]),
+    /// Counted by a pass before.
+    Indirect(&'a wgpu::Buffer),
+}
+
+impl Groups<'_> {
+    /// Those that are known.
+    fn invocations(self) -> u64 {
+        match self {
+            Self::Direct(groups) => 64 * groups.map(u64::from).iter().product::<u64>(),
+            Self::Indirect(_) => 0,
+        }
     }
 }
 
@@ -176,7 +198,7 @@ impl Passes {
                 (13, &cells.past),
                 (14, &step.tile_wind),
             ];
-            work.add(&pass.run(gpu, encoder, &bound, groups, stopwatch.as_deref_mut()));
+            work.add(&pass.run(gpu, encoder, &bound, Groups::Direct(groups), stopwatch.as_deref_mut()));
         };
         if step.gusty {
             run(&self.rest, &step.awake, cells, [nodes, nodes, count(&entries.awake)]);

@@ -184,7 +184,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
 }
 
 fn chain_stand() -> Layout {
-    layout!(ChainUniform { coefficients, virtual_side, blades, all, cells, dt, patch_side, planes, unused, steady })
+    layout!(ChainUniform { coefficients, virtual_side, blades, all, cells, dt, patch_side, planes, busy, steady })
 }
 
 #[test]

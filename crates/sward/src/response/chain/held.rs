@@ -7,7 +7,7 @@
 use super::blade::ChainCoefficients;
 use super::frame::{Frame, planted};
 use super::joint::{Bends, ChainState, count, step};
-use super::push::{Obstacles, is_pushed, push, tip};
+use super::push::{Around, Obstacles, is_pushed, push, tip};
 use crate::math;
 use crate::state::Root;
 
@@ -77,11 +77,15 @@ fn apart(co: &ChainCoefficients, a: &Bends, b: &Bends) -> f32 {
     most
 }
 
+/// A blade where it stands, its base, and the bodies around it.
+type Planted<'a> = (&'a Root, &'a Frame, &'a Around);
+
 impl Holding<'_> {
     /// One step of one blade. `stands` gives its pose by the virtual blades, now (`false`) and a step before (`true`); `wind` the air at its root,
     /// (x, z) m/s. Both are asked only where they are needed.
     #[inline(always)]
     pub fn step(&self, root: &Root, blade: &mut HeldBlade, stands: impl Fn(&Frame, bool) -> Bends, wind: impl Fn() -> [f32; 2]) {
+        let around = self.obstacles.around(root);
         let pushed = self.obstacles.reach(root);
         let all = self.all && !self.handing;
         if root.length <= 0.0 || (blade.hold <= 0.0 && !pushed && !all) {
@@ -90,19 +94,19 @@ impl Holding<'_> {
         }
         let base = planted(root.yaw, root.lean);
         if blade.hold <= 0.0 {
-            self.take(root, &base, blade, all, stands);
+            self.take((root, &base, &around), blade, all, stands);
         } else {
-            self.swing(root, &base, blade, [pushed, all], stands, wind);
+            self.swing((root, &base, &around), blade, [pushed, all], stands, wind);
         }
         blade.hold *= self.keep;
     }
 
     /// Gives a blade its state, as it stands, if a body touches it.
     #[inline(always)]
-    fn take(&self, root: &Root, base: &Frame, blade: &mut HeldBlade, all: bool, stands: impl Fn(&Frame, bool) -> Bends) {
+    fn take(&self, (root, base, around): Planted<'_>, blade: &mut HeldBlade, all: bool, stands: impl Fn(&Frame, bool) -> Bends) {
         let now = stands(base, false);
         blade.hold_before = 0.0;
-        if !all && !is_pushed(self.co, root, base, &self.obstacles, &now) {
+        if !all && !is_pushed(self.co, root, base, &self.obstacles, around, &now) {
             return;
         }
         let before = stands(base, true);
@@ -111,15 +115,14 @@ impl Holding<'_> {
             blade.state.joints[i] = [now[i][0], now[i][1], rate[0], rate[1]];
         }
         (blade.before, blade.hold, blade.hold_before) = (before, 1.0, 1.0);
-        self.push_out(root, base, blade);
+        self.push_out((root, base, around), blade);
     }
 
     /// A blade with a state: it swings, is pushed, or goes back.
     #[inline(always)]
     fn swing(
         &self,
-        root: &Root,
-        base: &Frame,
+        (root, base, around): Planted<'_>,
         blade: &mut HeldBlade,
         [pushed, all]: [bool; 2],
         stands: impl Fn(&Frame, bool) -> Bends,
@@ -130,9 +133,9 @@ impl Holding<'_> {
         blade.state = step(self.co, base, root.curl, [x, 0.0, z], self.dt, &blade.state);
         let back = blade.hold < 1.0;
         let shown = if back { mixed(&stands(base, false), &blade.state.bends(), blade.hold) } else { blade.state.bends() };
-        if pushed && is_pushed(self.co, root, base, &self.obstacles, &shown) {
+        if pushed && is_pushed(self.co, root, base, &self.obstacles, around, &shown) {
             self.stay(blade, &shown);
-            self.push_out(root, base, blade);
+            self.push_out((root, base, around), blade);
             return;
         }
         if blade.hold >= 1.0 {
@@ -191,12 +194,12 @@ impl Holding<'_> {
 
     #[inline(always)]
     fn off_the_ground(&self, root: &Root, base: &Frame, bends: &mut Bends) -> u32 {
-        push(self.co, root, base, &Obstacles { heads: &[], planes: &[] }, bends)
+        push(self.co, root, base, &Obstacles::NONE, &Around::default(), bends)
     }
 
     #[inline(always)]
-    fn push_out(&self, root: &Root, base: &Frame, blade: &mut HeldBlade) {
-        self.put(blade, |bends| push(self.co, root, base, &self.obstacles, bends));
+    fn push_out(&self, (root, base, around): Planted<'_>, blade: &mut HeldBlade) {
+        self.put(blade, |bends| push(self.co, root, base, &self.obstacles, around, bends));
     }
 
     /// Where something puts a blade; joints that were turned stand still.

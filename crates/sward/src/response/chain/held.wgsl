@@ -56,7 +56,7 @@ fn held_stay(blade: HeldBlade, posture: array<vec2<f32>, 8>, segments: u32) -> H
 }
 
 fn held_settled(co: ChainCoefficients, root: Root, base: mat3x3<f32>, blade: HeldBlade, virtual_pose: array<vec2<f32>, 8>, dt: f32) -> bool {
-    let nothing = Obstacles(0u, 0u);
+    let nothing = Obstacles(0u, 0u, 0u, 0u);
     var own = blade.state.joints;
     var stands = push_out(co, root, base, nothing, virtual_pose).bends;
     var farthest = 0.0;
@@ -110,7 +110,7 @@ fn held_swing(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32>,
         return held_put(next, push_out(co, root, base, by.obstacles, held_bends(next.state)), co.segments);
     }
     if next.hold >= 1.0 {
-        next = held_put(next, push_out(co, root, base, Obstacles(0u, 0u), held_bends(next.state)), co.segments);
+        next = held_put(next, push_out(co, root, base, Obstacles(0u, 0u, 0u, 0u), held_bends(next.state)), co.segments);
     }
     if all {
         return held_stay(next, shown, co.segments);
@@ -125,8 +125,10 @@ fn held_swing(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32>,
     return next;
 }
 
-fn held_step(co: ChainCoefficients, by: Holding, root: Root, blade: HeldBlade) -> HeldBlade {
+fn held_step(co: ChainCoefficients, holding: Holding, root: Root, blade: HeldBlade) -> HeldBlade {
     var next = blade;
+    var by = holding;
+    by.obstacles = push_around(holding.obstacles, root);
     let pushed = push_reach(by.obstacles, root);
     let all = by.all && !by.handing;
     if root.length <= 0.0 || (blade.hold <= 0.0 && !pushed && !all) {

@@ -42,7 +42,7 @@ pub use held::{HeldBlade, Holding, mixed};
 pub use joint::{BEND_LIMIT, Bends, ChainState, RATE_LIMIT, joints, rest_turn, step};
 pub use model::{ChainModel, Stances};
 pub use modes::{Mode, first_mode};
-pub use push::{Obstacles, TOLERANCE, is_pushed, push};
+pub use push::{Around, Obstacles, TOLERANCE, is_pushed, push};
 pub use standing::{Standing, leans};
 pub use steady::{SPEEDS, Steady, TOP};
 pub use step::{RESTLESS, loaded, roots, sizes, step as step_stand};

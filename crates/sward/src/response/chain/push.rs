@@ -43,11 +43,57 @@ pub struct Obstacles<'a> {
     pub planes: &'a [[f32; 4]],
 }
 
+/// How the bodies of a patch lie to one blade, worked out once: bits of the first 32 of them.
+#[derive(Clone, Copy, Default)]
+pub struct Around {
+    /// They can touch it.
+    near: u32,
+    /// They leave no room to pass below them.
+    standing: u32,
+}
+
+/// Solids with bits of their own; others are asked each time.
+const BITS: usize = 32;
+
 impl Obstacles<'_> {
+    /// None: only the ground.
+    pub const NONE: Obstacles<'static> = Obstacles { heads: &[], planes: &[] };
+
     /// Whether any of them can touch a blade.
     #[inline(always)]
     pub fn reach(&self, root: &Root) -> bool {
         self.heads.iter().any(|solid| reaches(solid, root))
+    }
+
+    /// How they lie to a blade.
+    #[inline(always)]
+    pub fn around(&self, root: &Root) -> Around {
+        let mut around = Around::default();
+        for (k, solid) in self.heads.iter().enumerate().take(BITS) {
+            if reaches(solid, root) {
+                around.near |= 1 << k;
+                around.standing |= u32::from(stands_on(solid, self.planes, root.at, ROOM)) << k;
+            }
+        }
+        around
+    }
+
+    /// How a point lies to solid number `k`; `None` if that cannot touch the blade.
+    #[inline(always)]
+    fn nearness(&self, k: usize, around: &Around, root: &Root, at: [f32; 3]) -> Option<Nearness> {
+        let solid = &self.heads[k];
+        let standing = if k < BITS {
+            if around.near >> k & 1 == 0 {
+                return None;
+            }
+            around.standing >> k & 1 == 1
+        } else {
+            if !reaches(solid, root) {
+                return None;
+            }
+            stands_on(solid, self.planes, root.at, ROOM)
+        };
+        Some(nearness(solid, self.planes, at, standing))
     }
 }
 
@@ -61,7 +107,7 @@ fn reaches(solid: &SolidHead, root: &Root) -> bool {
 /// Where a point goes that lies too deep in the ground or in bodies of a moment: out of one after the other, twice, so that it leaves corners
 /// between them. `None` if it lies nowhere too deep.
 #[inline(always)]
-fn free(obstacles: &Obstacles, moment: u32, root: &Root, at: [f32; 3]) -> Option<[f32; 3]> {
+fn free(obstacles: &Obstacles, around: &Around, moment: u32, root: &Root, at: [f32; 3]) -> Option<[f32; 3]> {
     let [sx, sz] = root.slope;
     let rise = 1.0 / (1.0 + sx * sx + sz * sz).sqrt();
     let mut there = at;
@@ -72,9 +118,11 @@ fn free(obstacles: &Obstacles, moment: u32, root: &Root, at: [f32; 3]) -> Option
             there = [there[0] + ground * sx * rise, there[1] - ground * rise, there[2] + ground * sz * rise];
             moved = true;
         }
-        for solid in obstacles.heads.iter().filter(|solid| solid.moment == moment && reaches(solid, root)) {
-            let standing = stands_on(solid, obstacles.planes, root.at, ROOM);
-            let Nearness { distance, normal } = nearness(solid, obstacles.planes, there, standing);
+        for k in 0..obstacles.heads.len() {
+            if obstacles.heads[k].moment != moment {
+                continue;
+            }
+            let Some(Nearness { distance, normal }) = obstacles.nearness(k, around, root, there) else { continue };
             if distance < -TOLERANCE {
                 there = [0, 1, 2].map(|axis| there[axis] + (SLACK - distance) * normal[axis]);
                 moved = true;
@@ -93,64 +141,95 @@ fn points(below: [f32; 3], way: [f32; 3], length: f32) -> [[f32; 3]; 2] {
     [0.5, 1.0].map(|share: f32| [0, 1, 2].map(|axis| below[axis] + share * length * way[axis]))
 }
 
-/// Whether any segment of a blade lies too deep in a body at any moment of the step. The ground alone does not count: wind may press
-/// blades to it, and pictures lift them.
-pub fn is_pushed(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, bends: &Bends) -> bool {
-    let mut frame = *base;
-    let mut at = root.at;
+/// Whether any segment of a blade, or its root, lies too deep in a body at any moment of the step. The ground alone does not count: wind may
+/// press blades to it, and pictures lift them.
+pub fn is_pushed(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, around: &Around, bends: &Bends) -> bool {
+    let deep = |at: [f32; 3]| {
+        (0..obstacles.heads.len()).any(|k| {
+            let found = obstacles.nearness(k, around, root, at);
+            found.is_some_and(|found| found.distance < -TOLERANCE)
+        })
+    };
+    if deep(root.at) {
+        return true;
+    }
+    let (mut frame, mut at) = (*base, root.at);
     let length = root.length / co.segments as f32;
     for i in 0..count(co) {
         frame = product(&frame, &rotation([bends[i][0], bends[i][1] + rest_turn(co, root.curl, i)]));
-        for point in points(at, frame[2], length) {
-            for solid in obstacles.heads.iter().filter(|solid| reaches(solid, root)) {
-                let standing = stands_on(solid, obstacles.planes, root.at, ROOM);
-                if nearness(solid, obstacles.planes, point, standing).distance < -TOLERANCE {
-                    return true;
-                }
-            }
+        let [middle, end] = points(at, frame[2], length);
+        if deep(middle) || deep(end) {
+            return true;
         }
-        at = points(at, frame[2], length)[1];
+        at = end;
     }
     false
 }
 
 /// Turns a blade out of the bodies of a step, moment by moment. Returns which joints were turned, as bits.
-pub fn push(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, bends: &mut Bends) -> u32 {
+pub fn push(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, around: &Around, bends: &mut Bends) -> u32 {
     let mut turned = 0;
     let last = obstacles.heads.iter().map(|solid| solid.moment).max().unwrap_or(0);
     for moment in 0..=last {
+        if is_over(obstacles, around, moment, root) {
+            *bends = lying(co, root, base, TILTS[1], HEADINGS[0], tip(co, root, base, bends));
+            turned = (1 << co.segments) - 1;
+            continue;
+        }
         let mut moved = 1;
         for number in 0..SWEEPS {
             if moved != 0 {
-                moved = sweep(co, root, base, obstacles, moment, number / PATIENCE % co.segments, bends);
+                moved = sweep(co, root, base, (obstacles, around), moment, number / PATIENCE % co.segments, bends);
                 turned |= moved;
             }
         }
-        if moved != 0 && lies_down(co, root, base, obstacles, moment, bends) {
+        if moved != 0 && lies_down(co, root, base, (obstacles, around), moment, bends) {
             turned = (1 << co.segments) - 1;
         }
     }
     turned
 }
 
+/// Whether a body stands on a root at a moment of the step: no joint can turn the blade out of it, so it lies flat under it.
+#[inline(always)]
+fn is_over(obstacles: &Obstacles, around: &Around, moment: u32, root: &Root) -> bool {
+    (0..obstacles.heads.len()).any(|k| {
+        let now = obstacles.heads[k].moment == moment;
+        now && obstacles.nearness(k, around, root, root.at).is_some_and(|found| found.distance < -TOLERANCE)
+    })
+}
+
+/// The bends with which a blade lies straight, tilted from the ground's normal, its tip turned by a heading from where `tip` is.
+fn lying(co: &ChainCoefficients, root: &Root, base: &Frame, (sine, cosine): (f32, f32), [c, s]: [f32; 2], tip: [f32; 3]) -> Bends {
+    let across = math::upper((tip[0] * tip[0] + tip[2] * tip[2]).sqrt(), 1e-9);
+    let [x, z] = [tip[0] / across, tip[2] / across];
+    let [x, z] = [c * x - s * z, s * x + c * z];
+    let direction = [sine * x, cosine + sine * (root.slope[0] * x + root.slope[1] * z), sine * z];
+    let size = dot(direction, direction).sqrt();
+    let [a, b] = bend_towards(to_local(base, direction.map(|part| part / size)));
+    let mut lying: Bends = [[0.0; 2]; MOST_SEGMENTS];
+    for (i, bend) in lying.iter_mut().enumerate().take(count(co)) {
+        let rest = rest_turn(co, root.curl, i);
+        *bend = if i == 0 { [a, b - rest] } else { [0.0, -rest] };
+    }
+    lying
+}
+
 /// Where sweeps go to and fro in a corner between bodies, a blade lies down straight: the way its tip points, or the next one to that which is
 /// free. Returns whether there is one; else the bends stay.
-fn lies_down(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, moment: u32, bends: &mut Bends) -> bool {
-    let way = tip(co, root, base, bends);
-    let across = math::upper((way[0] * way[0] + way[2] * way[2]).sqrt(), 1e-9);
-    let [x, z] = [way[0] / across, way[2] / across];
-    for (sine, cosine) in TILTS {
-        for [c, s] in HEADINGS {
-            let rise = cosine + sine * (root.slope[0] * (c * x - s * z) + root.slope[1] * (s * x + c * z));
-            let direction = [sine * (c * x - s * z), rise, sine * (s * x + c * z)];
-            let size = dot(direction, direction).sqrt();
-            let [a, b] = bend_towards(to_local(base, direction.map(|part| part / size)));
-            let mut lying: Bends = [[0.0; 2]; MOST_SEGMENTS];
-            for (i, bend) in lying.iter_mut().enumerate().take(count(co)) {
-                let rest = rest_turn(co, root.curl, i);
-                *bend = if i == 0 { [a, b - rest] } else { [0.0, -rest] };
-            }
-            if sweep(co, root, base, obstacles, moment, 0, &mut lying) == 0 {
+fn lies_down(
+    co: &ChainCoefficients,
+    root: &Root,
+    base: &Frame,
+    by: (&Obstacles, &Around),
+    moment: u32,
+    bends: &mut Bends,
+) -> bool {
+    let tip = tip(co, root, base, bends);
+    for tilt in TILTS {
+        for heading in HEADINGS {
+            let mut lying = lying(co, root, base, tilt, heading, tip);
+            if sweep(co, root, base, by, moment, 0, &mut lying) == 0 {
                 *bends = lying;
                 return true;
             }
@@ -236,7 +315,15 @@ fn minus(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
 /// One sweep from root to tip; what does not find its way out by its own joint is turned by one `lower` than that. Returns which joints were
 /// turned, as bits.
 #[inline(always)]
-fn sweep(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, moment: u32, lower: u32, bends: &mut Bends) -> u32 {
+fn sweep(
+    co: &ChainCoefficients,
+    root: &Root,
+    base: &Frame,
+    (obstacles, around): (&Obstacles, &Around),
+    moment: u32,
+    lower: u32,
+    bends: &mut Bends,
+) -> u32 {
     let length = root.length / co.segments as f32;
     let (frames, places) = ([*base; MOST_SEGMENTS + 1], [root.at; MOST_SEGMENTS + 1]);
     let mut blade = Posture { co, curl: root.curl, length, bends, frames, places };
@@ -245,7 +332,7 @@ fn sweep(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacle
         blade.follow(i);
         for end in 0..2 {
             let point = points(blade.places[i], blade.frames[i + 1][2], length)[end];
-            let Some(there) = free(obstacles, moment, root, point) else { continue };
+            let Some(there) = free(obstacles, around, moment, root, point) else { continue };
             let j = i.saturating_sub(lower as usize);
             blade.turn(j, point, there);
             (j..=i).for_each(|k| blade.follow(k));

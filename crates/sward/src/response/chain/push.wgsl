@@ -12,10 +12,12 @@ struct Root {
     more_unused: vec2<f32>,
 }
 
-// Bodies that reach a patch: their first number and how many.
+// Bodies that reach a patch: their first number and how many; and, once asked with push_around, how the first 32 lie to one blade.
 struct Obstacles {
     first: u32,
     count: u32,
+    near: u32,
+    standing: u32,
 }
 
 struct Pushed {
@@ -50,6 +52,51 @@ fn push_reach(obstacles: Obstacles, root: Root) -> bool {
     return near;
 }
 
+fn push_around(bodies: Obstacles, root: Root) -> Obstacles {
+    var obstacles = bodies;
+    for (var k = 0u; k < min(bodies.count, 32u); k++) {
+        let solid = push_solid(bodies.first + k);
+        if push_reaches(solid, root) {
+            obstacles.near |= 1u << k;
+            obstacles.standing |= select(0u, 1u, solid_stands_on(solid, root.at, PUSH_ROOM)) << k;
+        }
+    }
+    return obstacles;
+}
+
+// How a point lies to solid k; far away if that cannot touch the blade.
+fn push_nearness(obstacles: Obstacles, k: u32, solid: SolidHead, root: Root, at: vec3<f32>) -> SolidNearness {
+    var standing = ((obstacles.standing >> (k & 31u)) & 1u) == 1u;
+    if k >= 32u {
+        standing = solid_stands_on(solid, root.at, PUSH_ROOM);
+    }
+    return solid_nearness(solid, at, standing);
+}
+
+fn push_is_near(obstacles: Obstacles, k: u32, root: Root) -> bool {
+    if k >= 32u {
+        return push_reaches(push_solid(obstacles.first + k), root);
+    }
+    return ((obstacles.near >> k) & 1u) == 1u;
+}
+
+// Whether a point lies too deep in a body of a moment; of any moment if that is NONE.
+fn push_deep(obstacles: Obstacles, moment: u32, root: Root, at: vec3<f32>) -> bool {
+    for (var k = 0u; k < obstacles.count; k++) {
+        if !push_is_near(obstacles, k, root) {
+            continue;
+        }
+        let solid = push_solid(obstacles.first + k);
+        if moment != STANDING_NONE && solid.moment != moment {
+            continue;
+        }
+        if push_nearness(obstacles, k, solid, root, at).distance < -PUSH_TOLERANCE {
+            return true;
+        }
+    }
+    return false;
+}
+
 fn push_free(obstacles: Obstacles, moment: u32, root: Root, at: vec3<f32>) -> PushFree {
     let rise = 1.0 / sqrt(1.0 + root.slope.x * root.slope.x + root.slope.y * root.slope.y);
     let normal = vec3<f32>(-root.slope.x, 1.0, -root.slope.y) * rise;
@@ -61,11 +108,14 @@ fn push_free(obstacles: Obstacles, moment: u32, root: Root, at: vec3<f32>) -> Pu
             free = PushFree(true, free.place + (PUSH_SLACK - ground) * normal);
         }
         for (var k = 0u; k < obstacles.count; k++) {
-            let solid = push_solid(obstacles.first + k);
-            if solid.moment != moment || !push_reaches(solid, root) {
+            if !push_is_near(obstacles, k, root) {
                 continue;
             }
-            let found = solid_nearness(solid, free.place, solid_stands_on(solid, root.at, PUSH_ROOM));
+            let solid = push_solid(obstacles.first + k);
+            if solid.moment != moment {
+                continue;
+            }
+            let found = push_nearness(obstacles, k, solid, root, free.place);
             if found.distance < -PUSH_TOLERANCE {
                 free = PushFree(true, free.place + (PUSH_SLACK - found.distance) * found.normal);
             }
@@ -82,23 +132,16 @@ fn push_touches(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles:
     var frame = base;
     var at = root.at;
     let length_ = root.length / f32(co.segments);
-    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
-        frame = frame * chain_rotation(bends[i] + chain_rest_turn(co.segments, root.curl, i));
-        for (var half = 1u; half <= 2u; half++) {
-            let point = at + 0.5 * f32(half) * length_ * frame[2];
-            for (var k = 0u; k < obstacles.count; k++) {
-                let solid = push_solid(obstacles.first + k);
-                if !push_reaches(solid, root) {
-                    continue;
-                }
-                if solid_nearness(solid, point, solid_stands_on(solid, root.at, PUSH_ROOM)).distance < -PUSH_TOLERANCE {
-                    return true;
-                }
-            }
+    var deep = push_deep(obstacles, STANDING_NONE, root, root.at);
+    for (var point = 0u; point < 2u * min(co.segments, CHAIN_MOST_SEGMENTS) && !deep; point++) {
+        let i = point / 2u;
+        if (point & 1u) == 0u {
+            frame = frame * chain_rotation(bends[i] + chain_rest_turn(co.segments, root.curl, i));
         }
-        at += length_ * frame[2];
+        at += 0.5 * length_ * frame[2];
+        deep = push_deep(obstacles, STANDING_NONE, root, at);
     }
-    return false;
+    return deep;
 }
 
 // The bend that turns joint j so that `point` comes as far along the way to `goal` as that one is.
@@ -174,27 +217,32 @@ fn push_heading(k: u32) -> vec2<f32> {
     return headings[k];
 }
 
+// The bends with which a blade lies straight: halfway or nearly flat, turned from where `tip` is.
+fn push_lying(co: ChainCoefficients, root: Root, base: mat3x3<f32>, nearly_flat: bool, turn: vec2<f32>, tip: vec3<f32>) -> array<vec2<f32>, 8> {
+    let p = tip.xz / math_upper(sqrt(tip.x * tip.x + tip.z * tip.z), 1e-9);
+    let tilt = select(vec2<f32>(0.8660254, 0.5), vec2<f32>(0.9961947, 0.08715574), nearly_flat);
+    let across = vec2<f32>(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    let rise = tilt.y + tilt.x * (root.slope.x * across.x + root.slope.y * across.y);
+    let direction = vec3<f32>(tilt.x * across.x, rise, tilt.x * across.y);
+    let first = chain_bend_towards((direction / sqrt(dot(direction, direction))) * base);
+    var lying = array<vec2<f32>, 8>();
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        lying[i] = select(vec2<f32>(0.0), first, i == 0u) - chain_rest_turn(co.segments, root.curl, i);
+    }
+    return lying;
+}
+
 // A blade that found no way out lies down straight; `turned` is 0 if it cannot.
 fn push_down(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, moment: u32, posture: array<vec2<f32>, 8>) -> Pushed {
-    let way = push_tip(co, root, base, posture);
-    let p = way.xz / math_upper(sqrt(way.x * way.x + way.z * way.z), 1e-9);
-    for (var k = 0u; k < 16u; k++) {
-        let tilt = select(vec2<f32>(0.8660254, 0.5), vec2<f32>(0.9961947, 0.08715574), k >= 8u);
-        let turn = push_heading(k % 8u);
-        let flat_ = vec2<f32>(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-        let rise = tilt.y + tilt.x * (root.slope.x * flat_.x + root.slope.y * flat_.y);
-        let direction = vec3<f32>(tilt.x * flat_.x, rise, tilt.x * flat_.y);
-        let first = chain_bend_towards((direction / sqrt(dot(direction, direction))) * base);
-        var lying = array<vec2<f32>, 8>();
-        for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
-            lying[i] = select(vec2<f32>(0.0), first, i == 0u) - chain_rest_turn(co.segments, root.curl, i);
-        }
-        let swept = push_sweep(co, root, base, obstacles, moment, 0u, lying);
-        if swept.turned == 0u {
-            return Pushed(lying, (1u << co.segments) - 1u);
+    let tip = push_tip(co, root, base, posture);
+    var result = Pushed(posture, 0u);
+    for (var k = 0u; k < 16u && result.turned == 0u; k++) {
+        let lying = push_lying(co, root, base, k >= 8u, push_heading(k % 8u), tip);
+        if push_sweep(co, root, base, obstacles, moment, 0u, lying).turned == 0u {
+            result = Pushed(lying, (1u << co.segments) - 1u);
         }
     }
-    return Pushed(posture, 0u);
+    return result;
 }
 
 fn push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, posture: array<vec2<f32>, 8>) -> Pushed {
@@ -205,6 +253,10 @@ fn push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obs
     }
     for (var moment = 0u; moment <= last; moment++) {
         var moved = 1u;
+        if push_deep(obstacles, moment, root, root.at) {
+            result = Pushed(push_lying(co, root, base, true, vec2<f32>(1.0, 0.0), push_tip(co, root, base, result.bends)), (1u << co.segments) - 1u);
+            moved = 0u;
+        }
         for (var number = 0u; number < PUSH_SWEEPS && moved != 0u; number++) {
             let swept = push_sweep(co, root, base, obstacles, moment, number / PUSH_PATIENCE % co.segments, result.bends);
             moved = swept.turned;

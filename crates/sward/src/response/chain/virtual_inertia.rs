@@ -48,25 +48,29 @@ pub fn turned(base: &Frame, virtual_base: &Frame, moment: [f32; 2]) -> [f32; 2] 
 pub fn pose(co: &ChainCoefficients, base: &Frame, curl: f32, moments: &Bends) -> Bends {
     let mut bends = [[0.0; 2]; MOST_SEGMENTS];
     let mut below = *base;
+    let lever = co.half_length * co.weight;
     for i in 0..count(co) {
         let spring = co.joints[i].stiffness;
-        let heavy = co.weight * co.half_length / spring;
+        let heavy = lever / spring;
         let rest = rest_turn(co, curl, i);
         let mut bend = [0.0; 2];
-        let mut frame = product(&below, &rotation([0.0, rest]));
+        let mut turn = rotation([0.0, rest]);
+        // How far each axis below rises, and with it each of the segment's own.
+        let rise = [below[0][1], below[1][1], below[2][1]];
         for _ in 0..TURNS {
-            let weight = weight_moment(co, &frame);
-            let slope = math::upper(1.0 - heavy * frame[2][1], LEAST_SLOPE);
+            let own = to_local(&turn, rise);
+            let weight = [lever * own[1], -lever * own[0]];
+            let slope = math::upper(1.0 - heavy * own[2], LEAST_SLOPE);
             for axis in 0..2 {
                 bend[axis] += ((moments[i][axis] + weight[axis]) / spring - bend[axis]) / slope;
             }
             let size = (bend[0] * bend[0] + bend[1] * bend[1]).sqrt();
             let share = if size > BEND_LIMIT { BEND_LIMIT / size } else { 1.0 };
             bend = [bend[0] * share, bend[1] * share];
-            frame = product(&below, &rotation([bend[0], bend[1] + rest]));
+            turn = rotation([bend[0], bend[1] + rest]);
         }
         bends[i] = bend;
-        below = frame;
+        below = product(&below, &turn);
     }
     bends
 }

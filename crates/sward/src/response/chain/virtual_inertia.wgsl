@@ -33,19 +33,23 @@ fn virtual_inertia_pose(blade: ChainCoefficients, base: mat3x3<f32>, curl: f32, 
     var below = base;
     for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
         let spring = co.joints[i].stiffness;
-        let heavy = co.weight * co.half_length / spring;
+        let lever = co.weight * co.half_length;
+        let heavy = lever / spring;
         let rest = chain_rest_turn(co.segments, curl, i);
         var bend = vec2<f32>(0.0);
-        var frame = below * chain_rotation(rest);
-        for (var turn = 0u; turn < VIRTUAL_INERTIA_TURNS; turn++) {
-            let slope = math_upper(1.0 - heavy * frame[2].y, VIRTUAL_INERTIA_LEAST_SLOPE);
-            bend = bend + ((held[i] + virtual_inertia_weight_moment(co, frame)) / spring - bend) / slope;
+        var turn = chain_rotation(rest);
+        let rise = vec3<f32>(below[0].y, below[1].y, below[2].y);
+        for (var k = 0u; k < VIRTUAL_INERTIA_TURNS; k++) {
+            let own = rise * turn;
+            let slope = math_upper(1.0 - heavy * own.z, VIRTUAL_INERTIA_LEAST_SLOPE);
+            let weight = lever * vec2<f32>(own.y, -own.x);
+            bend = bend + ((held[i] + weight) / spring - bend) / slope;
             let size = sqrt(bend.x * bend.x + bend.y * bend.y);
             bend = bend * select(1.0, CHAIN_BEND_LIMIT / size, size > CHAIN_BEND_LIMIT);
-            frame = below * chain_rotation(bend + rest);
+            turn = chain_rotation(bend + rest);
         }
         state.joints[i] = vec4<f32>(bend, 0.0, 0.0);
-        below = frame;
+        below = below * turn;
     }
     return state;
 }
