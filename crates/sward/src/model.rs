@@ -259,7 +259,10 @@ fn chain_model(scene: &Scene, index: usize, species: &SpeciesModel, patch_side: 
     let blades = chain.blades_of_patch(cells);
     let most = (MOST_BLADE_BYTES / (4 * chain.planes() as u64)).min(u64::from(budget));
     if u64::from(blades) > most {
-        let message = format!("a patch has {cells} × {cells} cells of {} blades, {blades} in all; at most {most} can have a state", chain.stances.blades);
+        let message = format!(
+            "a patch has {cells} × {cells} cells of {} blades, {blades} in all; at most {most} can have a state",
+            chain.stances.blades
+        );
         let help = if u64::from(budget) > most || u64::from(blades) * 4 * chain.planes() as u64 > MOST_BLADE_BYTES {
             "give the stand fewer cells, or its plants fewer blades".to_owned()
         } else {

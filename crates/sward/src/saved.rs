@@ -202,8 +202,7 @@ impl World {
                 [4 * area, upper, ring, 0]
             }
         };
-        let mut planes =
-            [&saved.now, &saved.old, &saved.upper, &saved.history, &saved.virtual_states].map(|values| values.iter().copied());
+        let mut planes = [&saved.now, &saved.old, &saved.upper, &saved.history, &saved.virtual_states].map(|values| values.iter().copied());
         let [now, old, uppers, past, states] = &mut planes;
         let counters = saved.counters;
         let counts = [

@@ -70,6 +70,8 @@ fn main() -> std::process::ExitCode {
         ("lawn_and_sphere", scenes::lawn_and_sphere),
         ("bodies_in_reed", scenes::bodies_in_reed),
         ("sleeping_and_waking", scenes::sleeping_and_waking),
+        ("touched_blades", scenes::touched_blades),
+        ("chains", scenes::chains),
         ("natural_wind", scenes::natural_wind),
         ("each_lag", scenes::each_lag),
         ("substeps", scenes::substeps),

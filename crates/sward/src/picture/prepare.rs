@@ -258,8 +258,7 @@ impl Preparing<'_> {
     fn held(&self, chain: &ChainModel, lag: u32, index: u32) -> Option<HeldBlade> {
         let values = self.cells.lag.get(lag as usize).filter(|values| lag != NONE && !values.is_empty())?;
         let total = chain.blades_of_patch(self.uniform.placement.cells) as usize;
-        (values.len() == chain.planes() * total)
-            .then(|| chain::loaded(values, total, index as usize, chain.coefficients.segments as usize))
+        (values.len() == chain.planes() * total).then(|| chain::loaded(values, total, index as usize, chain.coefficients.segments as usize))
     }
 
     /// Solves the plants of one patch: `draw.count` plants, and `drawn + 1` joints of each. Places without a plant get height 0.

@@ -4,8 +4,8 @@
 
 pub mod chain;
 pub mod continuum;
-pub mod oscillation;
 mod each;
+pub mod oscillation;
 mod stage;
 mod stand;
 

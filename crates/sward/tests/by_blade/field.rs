@@ -1,7 +1,10 @@
 //! A meadow of blades, what its blades do, and where they are.
 
+use std::collections::BTreeMap;
+
 use sward::interaction::solid::nearness;
-use sward::response::chain::{self, HeldBlade};
+use sward::plan::{around, weights};
+use sward::response::chain::{self, HeldBlade, Standing};
 use sward::state::Root;
 use sward::world::World;
 
@@ -58,13 +61,46 @@ pub(crate) fn deepest(world: &World, plan: &sward::plan::Plan) -> [f32; 2] {
                 for solid in heads.iter().filter(|solid| solid.moment == last) {
                     let free = nearness(solid, &plan.solids.planes, root.at, true).distance > 0.0;
                     if free {
-                        let d = -nearness(solid, &plan.solids.planes, at, false).distance;
-                        if d > 0.005 { println!("   {d:.4} joint {k} of {n} at {at:?} root {root:?} body {:?} bends {:?}", solid, blade.state.joints.map(|j| [j[0],j[1]])); println!("  plane {:?}", nearness(solid, &plan.solids.planes, at, false)); }
-                        inside = inside.max(d);
+                        inside = inside.max(-nearness(solid, &plan.solids.planes, at, false).distance);
                     }
                 }
             }
         }
     }
     [inside, below]
+}
+
+/// A tip, m from the patch's corner; the hold of its blade; its length, m.
+pub(crate) type Tip = ([f32; 3], f32, f32);
+
+/// The tips of the blades of patches with room for states, by patch and number: by their own state, by the virtual blades, and as shown.
+pub(crate) fn tips(world: &World) -> BTreeMap<([i32; 2], usize), [Tip; 3]> {
+    let (stand, state) = (&world.model.stands[0], &world.state.stands[0]);
+    let chain = stand.chain.as_ref().expect("it moves blade by blade");
+    let n = chain.coefficients.segments as usize;
+    let wind = world.wind(stand);
+    let mut found = BTreeMap::new();
+    for (patch, awake) in &state.awake {
+        let Some(values) = state.cells.blades(awake.lag) else { continue };
+        let roots = &state.cells.roots[awake.lag as usize];
+        let slots = around(state, *patch, |awake| awake.slot);
+        let standing = Standing { chain, around: slots, weights: weights(state, *patch), patch_side: stand.patch_side as f32 };
+        let phases = wind.patch_phases(*patch, stand.cells / 2);
+        for (index, root) in roots.iter().enumerate().filter(|(_, root)| root.length > 0.0) {
+            let blade = chain::loaded(values, roots.len(), index, n);
+            let base = chain::planted(root.yaw, root.lean);
+            let local = [root.at[0], root.at[2]];
+            let moments = standing.moments(&state.cells.now, local, || wind.velocity_local(&phases, local));
+            let virtual_ = standing.pose(&base, root.curl, &moments);
+            let own = blade.state.bends();
+            let shown = chain::mixed(&virtual_, &own, blade.hold);
+            let scale = root.length / (2.0 * n as f32 * chain.coefficients.half_length);
+            let tip = |bends: &chain::Bends| -> Tip {
+                let at = chain::joints(&base, root.curl, &chain.coefficients, bends)[n];
+                ([0, 1, 2].map(|axis| root.at[axis] + scale * at[axis]), blade.hold, root.length)
+            };
+            found.insert((*patch, index), [tip(&own), tip(&virtual_), tip(&shown)]);
+        }
+    }
+    found
 }

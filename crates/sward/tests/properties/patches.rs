@@ -40,8 +40,15 @@ impl Sheet {
     /// The plan of a step; `joined` = neighbours see each other.
     fn plan(&self, step: u64, footprints: &[Footprint], joined: bool) -> StandPlan {
         let wind = WindField::at(&self.model.sources, step, self.model.dt, self.stand.spacing * f64::from(continuum::NODE_CELLS));
-        let mut plan =
-            StandPlan { tile_wind: wind.clone(), wind, patches: Vec::new(), contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new(), solids: Solids::default() };
+        let mut plan = StandPlan {
+            tile_wind: wind.clone(),
+            wind,
+            patches: Vec::new(),
+            contacts: Vec::new(),
+            edges: Vec::new(),
+            pairs: Vec::new(),
+            solids: Solids::default(),
+        };
         for footprint in footprints {
             plan.contacts.push(Contact { edge_first: plan.edges.len() as u32, ..footprint.contact });
             plan.edges.extend(&footprint.edges);

@@ -118,6 +118,13 @@ fn compared(cpu: &World, gpu: &World, agreement: &Agreement) -> Vec<Row> {
         let both: Vec<_> = a.awake.iter().filter_map(|(patch, cells)| Some((cells, b.awake.get(patch)?))).collect();
         let half = 2 * (model.cells * model.cells) as usize;
         let cells = |world: &World, slot: u32, upper_half: bool| -> Vec<f32> {
+            if let Some(chain) = &model.chain {
+                // Of virtual blades: ψ or ω of each segment.
+                let states = world.state.stands[index].cells.virtual_states.get(slot as usize);
+                let area = 2 * (chain.virtual_side * chain.virtual_side) as usize;
+                let parts = states.map_or(&[][..], |states| states).chunks_exact(area).skip(usize::from(upper_half)).step_by(2);
+                return parts.flatten().copied().collect();
+            }
             let cells = world.state.stands[index].cells.now.get(slot as usize);
             let range = if upper_half { half..2 * half } else { 0..half };
             cells.and_then(|cells| cells.get(range)).unwrap_or_default().to_vec()
@@ -140,7 +147,8 @@ fn compared(cpu: &World, gpu: &World, agreement: &Agreement) -> Vec<Row> {
         };
         if both.iter().any(|(a, b)| a.lag != NONE && b.lag != NONE) {
             let tolerance = &agreement.upper;
-            rows.push(row("upper segments", "rad", Deviation::of(&upper(cpu, true), &upper(gpu, false), tolerance.outlier), tolerance));
+            let stage = if model.chain.is_some() { "blades" } else { "upper segments" };
+            rows.push(row(stage, "rad", Deviation::of(&upper(cpu, true), &upper(gpu, false), tolerance.outlier), tolerance));
         }
     }
     rows

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use sward::response::StandModel;
+use sward::response::chain::ChainModel;
 use sward::scene::{Flow, Interactor, Path, Precision, Scene, Shape, Terrain, WindSource};
 use sward::world::World;
 
@@ -125,6 +126,9 @@ fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) ->
     line(&mut text, "stand", &format!("{}{kind}: plants {low} to {high} m high", stand.name));
     let cell = stand.spacing;
     line(&mut text, "", &format!("{0} x {0} cells of {cell:.3} m a patch, {1}", stand.cells, plants(world, stand)));
+    if let Some(chain) = &stand.chain {
+        return text + &show_blades(world, stand, chain);
+    }
     // λ = 1 − e^(−ζ√κ/30), solved for ζ.
     let damping = -30.0 * (1.0 - continuum.lambda_theta).ln() / continuum.kappa.sqrt();
     let frequency = continuum.frequency();
@@ -150,6 +154,24 @@ fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) ->
     let backend = if *precision == Precision::Half { " on a GPU" } else { "" };
     let cost = format!("{} bytes a patch and {} for its upper segments; {total:.1} MB at most{backend}", grouped(patch), grouped(upper));
     line(&mut text, "", &cost);
+    text
+}
+
+/// How a stand moves that moves blade by blade.
+fn show_blades(world: &World, stand: &StandModel, chain: &ChainModel) -> String {
+    let mut text = String::new();
+    let (co, length) = (&chain.coefficients, 0.5 * (stand.species.height[0] + stand.species.height[1]));
+    let first = &co.joints[0];
+    let frequency = (f64::from(first.stiffness - co.weight * co.half_length) / f64::from(first.inertia)).sqrt() / std::f64::consts::TAU;
+    let lean = chain.steady.lean(4.0).to_degrees();
+    line(&mut text, "", &format!("a blade {length:.2} m long sways at {frequency:.2} Hz; in 4 m/s its tip leans by {lean:.0} degrees"));
+    let side = chain.virtual_side;
+    let blades = chain.blades_of_patch(stand.cells);
+    let who = if chain.all { "of the patches nearest to the camera, and where bodies pass" } else { "that bodies have touched" };
+    line(&mut text, "", &format!("{0} x {0} virtual blades a patch; blades with a state: those {who}", side));
+    let patches = world.scene.budget.stateful_blades / blades.max(1);
+    let bytes = 4 * chain.planes() as u64 * u64::from(blades);
+    line(&mut text, "", &format!("{blades} blades and {} bytes a patch for their states; room for {patches} such patches", grouped(bytes)));
     text
 }
 

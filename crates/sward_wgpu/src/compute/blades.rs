@@ -176,7 +176,10 @@ impl BladePasses {
         let wind = filled("wind", bytemuck::bytes_of(&wind), uniform);
         let tile_wind = filled("tiled wind", bytemuck::bytes_of(&tile_wind), uniform);
         let words = filled("solids", &solids, storage);
-        let (awake, roomy) = (filled("awake patches", bytemuck::cast_slice(&all), storage), filled("patches with blades", bytemuck::cast_slice(&with_room), storage));
+        let (awake, roomy) = (
+            filled("awake patches", bytemuck::cast_slice(&all), storage),
+            filled("patches with blades", bytemuck::cast_slice(&with_room), storage),
+        );
         let blades = chain.blades_of_patch(stand.cells);
         let make = |label: &str, words: u64, usage: wgpu::BufferUsages| {
             let usage = usage | wgpu::BufferUsages::COPY_DST;

@@ -1,6 +1,7 @@
 //! The runs: small patches of 64² cells, everything that may differ between backends at least once.
 
 use sward::scene::{Change, Edit, Raise};
+use sward::world::World;
 use sward_wgpu::gpu::Gpu;
 
 use crate::adapter::{Verdict, ensure};
@@ -41,6 +42,19 @@ const WIND: &str = "(version: 1, field: (patch_side: 16), stands: [(species: Ree
 pub(crate) const STIFF: &str = "(version: 1, field: (patch_side: 8),
     stands: [(species: Meadow, cells: 64, response: Continuum(kappa: 4000, lambda_theta: 0.05))],
     interactors: [(shape: Box(size: (1, 1, 2)), path: Circle(radius: 3, speed: 12))])";
+
+/// Blades that a ball and a box touch, on hills, in gusts: only those have a state.
+const TOUCHED: &str = r#"(version: 1, field: (patch_side: 8), terrain: Image(path: "assets/jacksboro.png", scale: 0.03125),
+    stands: [(species: Meadow, cells: 8, response: VirtualInertia(), representation: Blade(blades: 4))], wind: [Natural()],
+    interactors: [(shape: Sphere(radius: 0.5), path: Circle(centre: (0, 2), radius: 2, speed: 4)),
+        (shape: Box(size: (1, 0.3, 1)), clearance: 0.2, path: Keyframes(keys: [(time: 0, at: (-6, 3)), (time: 4, at: (6, 4))]))],
+    budget: (patches: 12, focus_distance: 12))"#;
+
+/// Every blade with a state of its own; plants as billboards.
+const CHAINS: &str =
+    "(version: 1, field: (patch_side: 8, patches: (1, 1)), stands: [(species: Reed, cells: 8, response: Chain())], wind: [Natural(velocity: (6, 2))],
+    interactors: [(shape: Ellipsoid(radii: (0.4, 0.7, 0.5)), path: Circle(centre: (4, 4), radius: 1, speed: 2))],
+    budget: (patches: 12, focus_distance: 10))";
 
 /// A camera that runs on while only nine patches may be awake.
 const BUDGET: &str = "(version: 1, field: (patch_side: 8), stands: [(species: Meadow, cells: 64)], wind: [Natural(velocity: (5, 2))],
@@ -102,6 +116,24 @@ pub(crate) fn bodies_in_reed(gpu: &Gpu) -> Verdict {
 pub(crate) fn sleeping_and_waking(gpu: &Gpu) -> Verdict {
     let shows = |world: &sward::world::World| world.state.stands[0].counters.slept > 0 && !world.state.stands[0].awake.is_empty();
     Run { name: "tussock", scene: TUSSOCK, shows }.check(gpu)
+}
+
+pub(crate) fn touched_blades(gpu: &Gpu) -> Verdict {
+    let shows = |world: &World| world.state.stands[0].awake.values().any(|awake| awake.held > 0);
+    Run { name: "touched", scene: TOUCHED, shows }.check_for(gpu, 24)?;
+    // Control: blades that catch two percent more wind.
+    let (mut cpu, mut other) = (world(TOUCHED)?, world(TOUCHED)?);
+    if let Some(chain) = &mut other.model.stands[0].chain {
+        chain.coefficients.drag *= 1.02;
+    }
+    Backend::Cpu.run(gpu, &mut cpu, 6)?;
+    Backend::on(gpu, &other)?.run(gpu, &mut other, 6)?;
+    ensure(agree("two percent more drag", &cpu, &other, false).is_err(), || "two percent more drag is not found".to_owned())
+}
+
+pub(crate) fn chains(gpu: &Gpu) -> Verdict {
+    let shows = |world: &World| world.state.stands[0].awake.values().any(|awake| awake.held > 40);
+    Run { name: "chains", scene: CHAINS, shows }.check_for(gpu, 9)
 }
 
 pub(crate) fn natural_wind(gpu: &Gpu) -> Verdict {

@@ -174,9 +174,13 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("BladeStyle", text_of("blades"), layout!(BladeStyle { root, tip, light, shape })),
         ("ChainStand", text_of("step blade by blade"), chain_stand()),
         ("ChainStand", text_of("prepare blade by blade"), chain_stand()),
-        ("ChainPatch", text_of("step blade by blade"), layout!(ChainPatch {
-            slot, lag, flags, entry, patch as "patch_index", solid_first, solid_count, weights, keep, pixels, around, unused
-        })),
+        (
+            "ChainPatch",
+            text_of("step blade by blade"),
+            layout!(ChainPatch {
+                slot, lag, flags, entry, patch as "patch_index", solid_first, solid_count, weights, keep, pixels, around, unused
+            }),
+        ),
         ("Root", text_of("step blade by blade"), layout!(Root { at, length, yaw, lean, curl, unused, slope, more_unused })),
         ("SolidHead", text_of("step blade by blade"), layout!(SolidHead { first, count, moment, body, low, high, centre, turn, radii })),
         ("Aov", text_of("sky, outputs"), layout!(AovUniform { then, eye, size })),

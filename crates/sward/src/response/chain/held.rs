@@ -168,14 +168,7 @@ impl Holding<'_> {
     }
 
     #[inline(always)]
-    fn is_settled(
-        &self,
-        root: &Root,
-        base: &Frame,
-        blade: &HeldBlade,
-        mut virtual_: Bends,
-        virtual_before: impl Fn() -> Bends,
-    ) -> bool {
+    fn is_settled(&self, root: &Root, base: &Frame, blade: &HeldBlade, mut virtual_: Bends, virtual_before: impl Fn() -> Bends) -> bool {
         let own = blade.state.bends();
         // What the ground keeps up is settled too.
         self.off_the_ground(root, base, &mut virtual_);

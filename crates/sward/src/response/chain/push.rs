@@ -6,8 +6,8 @@
 use super::blade::{ChainCoefficients, MOST_SEGMENTS};
 use super::frame::{Frame, bend_towards, product, rotation, to_local};
 use super::joint::{BEND_LIMIT, Bends, count, rest_turn};
-use crate::math;
 use crate::interaction::solid::{Nearness, SolidHead, nearness, stands_on};
+use crate::math;
 use crate::state::Root;
 
 /// Most sweeps from root to tip.
@@ -217,14 +217,7 @@ fn lying(co: &ChainCoefficients, root: &Root, base: &Frame, (sine, cosine): (f32
 
 /// Where sweeps go to and fro in a corner between bodies, a blade lies down straight: the way its tip points, or the next one to that which is
 /// free. Returns whether there is one; else the bends stay.
-fn lies_down(
-    co: &ChainCoefficients,
-    root: &Root,
-    base: &Frame,
-    by: (&Obstacles, &Around),
-    moment: u32,
-    bends: &mut Bends,
-) -> bool {
+fn lies_down(co: &ChainCoefficients, root: &Root, base: &Frame, by: (&Obstacles, &Around), moment: u32, bends: &mut Bends) -> bool {
     let tip = tip(co, root, base, bends);
     for tilt in TILTS {
         for heading in HEADINGS {

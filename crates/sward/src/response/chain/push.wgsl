@@ -168,30 +168,37 @@ fn push_turn(co: ChainCoefficients, curl: f32, j: u32, below: mat3x3<f32>, frame
     return bend * select(1.0, CHAIN_BEND_LIMIT / bent, bent > CHAIN_BEND_LIMIT);
 }
 
+// No frame is kept in an array: software and small GPUs are slow at those, and walking up again costs little.
 fn push_sweep(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, moment: u32, lower: u32, posture: array<vec2<f32>, 8>) -> Pushed {
     let length_ = root.length / f32(co.segments);
     var result = Pushed(posture, 0u);
-    var frames: array<mat3x3<f32>, 9>;
-    var places: array<vec3<f32>, 9>;
-    frames[0] = base;
-    places[0] = root.at;
+    var frame = base;
+    var place = root.at;
     for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
-        frames[i + 1u] = frames[i] * chain_rotation(result.bends[i] + chain_rest_turn(co.segments, root.curl, i));
-        places[i + 1u] = places[i] + length_ * frames[i + 1u][2];
+        frame = frame * chain_rotation(result.bends[i] + chain_rest_turn(co.segments, root.curl, i));
         for (var half = 1u; half <= 2u; half++) {
-            let point = places[i] + 0.5 * f32(half) * length_ * frames[i + 1u][2];
+            let point = place + 0.5 * f32(half) * length_ * frame[2];
             let free = push_free(obstacles, moment, root, point);
             if !free.moved {
                 continue;
             }
             let j = i - min(i, lower);
-            result.bends[j] = push_turn(co, root.curl, j, frames[j], frames[j + 1u], places[j], point, free.place);
-            for (var k = j; k <= i; k++) {
-                frames[k + 1u] = frames[k] * chain_rotation(result.bends[k] + chain_rest_turn(co.segments, root.curl, k));
-                places[k + 1u] = places[k] + length_ * frames[k + 1u][2];
+            var below = base;
+            place = root.at;
+            for (var k = 0u; k < j; k++) {
+                below = below * chain_rotation(result.bends[k] + chain_rest_turn(co.segments, root.curl, k));
+                place += length_ * below[2];
+            }
+            frame = below * chain_rotation(result.bends[j] + chain_rest_turn(co.segments, root.curl, j));
+            result.bends[j] = push_turn(co, root.curl, j, below, frame, place, point, free.place);
+            frame = below * chain_rotation(result.bends[j] + chain_rest_turn(co.segments, root.curl, j));
+            for (var k = j + 1u; k <= i; k++) {
+                place += length_ * frame[2];
+                frame = frame * chain_rotation(result.bends[k] + chain_rest_turn(co.segments, root.curl, k));
             }
             result.turned |= 1u << j;
         }
+        place += length_ * frame[2];
     }
     return result;
 }

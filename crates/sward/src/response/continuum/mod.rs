@@ -20,12 +20,12 @@ pub const WGSL: [&str; 4] =
 /// Cells at half their size in WGSL; needs `math` before it.
 pub const HALF_WGSL: &str = include_str!("half.wgsl");
 
+pub use super::Stage;
 pub use bend::{Held, contact, push};
 pub use coefficients::{Coefficients, HALF_PI, RATE_LIMIT, REST, SMALLEST_LIMIT, bend_limit, safe_limit};
 pub use lag::{LagCoefficients, cascade, from_history, look_up_offset};
 pub use patch::{Scratch, Wave, step_patch, wake_patch};
 pub use propagate::{Rows, bends, deviation, fade_row, keep_held, limit_row, rates};
 pub use rest::{NODE_CELLS, Rest};
-pub use super::Stage;
 pub use step::{ground_of, lag_planes, lags, step};
 pub use touch::{PatchContacts, Touched, touch_patch};

@@ -43,9 +43,9 @@ fn survives(co: &ChainCoefficients, dice: &mut Dice, speed: f64, steps: u32) -> 
         if dice.unit() < 0.2 {
             wind = [0; 3].map(|_| dice.between(-speed, speed) as f32);
         }
-        state = step(co, &base, wind, dt, &state);
+        state = step(co, &base, 0.4, wind, dt, &state);
         let held = moments(co, &UPRIGHT, &state.bends()).map(|m| turned(&base, &UPRIGHT, m));
-        if !(within(co, &state) && within(co, &ChainState::still(&pose(co, &base, &held)))) {
+        if !(within(co, &state) && within(co, &ChainState::still(&pose(co, &base, 0.4, &held)))) {
             return false;
         }
     }

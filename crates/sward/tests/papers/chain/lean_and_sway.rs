@@ -59,7 +59,7 @@ fn sway(co: &ChainCoefficients, shape: &[f64], dt: f64) -> f64 {
     }
     let (mut passes, mut last) = (Vec::new(), tip(co, &UPRIGHT, &state)[0]);
     for i in 1..60_000 {
-        state = step(co, &UPRIGHT, [0.0; 3], dt as f32, &state);
+        state = step(co, &UPRIGHT, 0.0, [0.0; 3], dt as f32, &state);
         let now = tip(co, &UPRIGHT, &state)[0];
         if last * now < 0.0 {
             passes.push((f64::from(i) - now / (now - last)) * dt);
@@ -96,7 +96,7 @@ fn laid_down(blade: &Blade, co: &ChainCoefficients) -> [f64; 2] {
     let mut worst = [0.0f64; 2];
     for _ in 0..60 {
         full.step([20.0, 0.0, 0.0], STEP);
-        state = step(co, &UPRIGHT, [20.0, 0.0, 0.0], STEP as f32, &state);
+        state = step(co, &UPRIGHT, 0.0, [20.0, 0.0, 0.0], STEP as f32, &state);
         let mut tilt = 0.0;
         for i in 0..n {
             tilt += f64::from(state.joints[i][1]);
@@ -131,7 +131,7 @@ fn full_tips(blade: &Blade, wind: &[[f32; 3]]) -> Vec<[f64; 3]> {
 fn errors(co: &ChainCoefficients, blade: &Blade, wind: &[[f32; 3]], tips: &[[f64; 3]]) -> Vec<f64> {
     let mut state = ChainState::default();
     let next = |(w, full): (&[f32; 3], &[f64; 3])| {
-        state = step(co, &UPRIGHT, *w, STEP as f32, &state);
+        state = step(co, &UPRIGHT, 0.0, *w, STEP as f32, &state);
         distance(tip(co, &UPRIGHT, &state), *full) / blade.length()
     };
     wind.iter().zip(tips).map(next).skip(120).collect()

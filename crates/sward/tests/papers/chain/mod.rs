@@ -49,7 +49,7 @@ fn as_printed(blade: &Blade) -> ChainCoefficients {
 
 /// The tip of a simplified chain, m from its root.
 fn tip(co: &ChainCoefficients, base: &Frame, state: &ChainState) -> [f64; 3] {
-    joints(base, co, &state.bends())[co.segments as usize].map(f64::from)
+    joints(base, 0.0, co, &state.bends())[co.segments as usize].map(f64::from)
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -69,7 +69,7 @@ fn gusty(seconds: u64) -> Vec<[f32; 3]> {
 
 /// A simplified chain after `steps` in the same wind.
 fn settled(co: &ChainCoefficients, base: &Frame, wind: [f32; 3], dt: f32, steps: u32) -> ChainState {
-    (0..steps).fold(ChainState::default(), |state, _| step(co, base, wind, dt, &state))
+    (0..steps).fold(ChainState::default(), |state, _| step(co, base, 0.0, wind, dt, &state))
 }
 
 /// Root mean square and 95th percentile.

@@ -14,7 +14,7 @@ fn bases(count: u32, most: f32) -> Vec<Frame> {
 fn shown(co: &ChainCoefficients, base: &Frame, virtual_blade: &ChainState, turn: bool) -> ChainState {
     let held: Bends = moments(co, &UPRIGHT, &virtual_blade.bends());
     let held = if turn { held.map(|m| turned(base, &UPRIGHT, m)) } else { held };
-    ChainState::still(&pose(co, base, &held))
+    ChainState::still(&pose(co, base, 0.0, &held))
 }
 
 #[test]

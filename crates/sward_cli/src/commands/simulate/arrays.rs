@@ -4,8 +4,9 @@ use std::path::Path;
 
 use npyz::{AutoSerialize, WriterBuilder};
 use sward::response::StandModel;
+use sward::response::chain::{ChainModel, loaded};
 use sward::response::continuum::NODE_CELLS;
-use sward::state::{BodyState, StandState};
+use sward::state::{BodyState, PatchKey, Root, StandState};
 use sward::wind::WindField;
 use sward::world::World;
 
@@ -93,6 +94,9 @@ impl Writer<'_> {
             self.entry(&format!("{}/patches", model.name), &format!("{stem}_patches"), "coordinates of the awake patches", "patches");
         let keys = state.awake.keys().flatten().copied();
         self.save(entry, "<i4", &[("patch", patches), ("x, z", 2)], keys)?;
+        if let Some(chain) = &model.chain {
+            return self.blades(index, chain, &stem);
+        }
         let fields =
             [("beta", "bend of each cell, as a vector over the ground", "rad"), ("omega", "bending velocity of each cell", "rad/s")];
         let axes = [("patch", patches), ("cell z", cells), ("cell x", cells), ("x, z", 2)];
@@ -102,6 +106,27 @@ impl Writer<'_> {
             self.save(entry, "<f4", &axes, awake.into_iter().flat_map(|cells| pairs(cells, first_plane)))?;
         }
         Ok(())
+    }
+
+    /// Of a stand that moves blade by blade: its virtual blades, and its blades with a state.
+    fn blades(&mut self, index: usize, chain: &ChainModel, stem: &str) -> Result<(), Failure> {
+        let world = self.world;
+        let (model, state) = (&world.model.stands[index], &world.state.stands[index]);
+        let missing = || Failure::failed(format!("blades of the stand `{}` were not copied back", model.name));
+        let (n, side) = (u64::from(chain.coefficients.segments), u64::from(chain.virtual_side));
+        let slots = state.awake.values().map(|awake| state.cells.virtual_states.get(awake.slot as usize));
+        let states: Vec<&[f32]> = slots.map(|states| states.map(|states| &states[..])).collect::<Option<_>>().ok_or_else(missing)?;
+        let meaning = "joints of the virtual blades: bend \u{3c8} [rad] and rate \u{3c9} [rad/s], each across the segment below";
+        let entry = self.entry(&format!("{}/virtual_blades", model.name), &format!("{stem}_virtual_blades"), meaning, "rad; rad/s");
+        let axes = [("patch", states.len() as u64), ("segment", n), ("bend x, bend y, rate x, rate y", 4), ("z", side), ("x", side)];
+        self.save(entry, "<f4", &axes, states.into_iter().flatten().copied())?;
+        let held: Vec<BladeRow> = state.awake.iter().flat_map(|(patch, awake)| held(chain, state, *patch, awake.lag)).collect();
+        let meaning = "blades with a state of their own: patch x and z; root x, height, z from the patch's corner [m]; length [m]; yaw, lean and curl [rad]; \
+            hold; then of each segment bend x and y [rad], rate x and y [rad/s]";
+        let entry = self.entry(&format!("{}/blades", model.name), &format!("{stem}_blades"), meaning, "see meaning");
+        let axes = [("blade", held.len() as u64), ("value", 10 + 4 * n)];
+        let row = |blade: &BladeRow| [&blade.0[..], &blade.1[..]].concat();
+        self.save(entry, "<f4", &axes, held.iter().flat_map(row))
     }
 
     fn bodies(&mut self) -> Result<(), Failure> {
@@ -133,6 +158,23 @@ impl Writer<'_> {
         entry.grid = Some(Grid { first: first.map(|k| f64::from(k) * spacing), spacing });
         self.save(entry, "<f4", &[("z", WIND_SIDE as u64), ("x", WIND_SIDE as u64), ("x, z", 2)], data)
     }
+}
+
+/// Where a blade stands and how, and its joints.
+type BladeRow = ([f32; 10], Vec<f32>);
+
+/// The blades of a patch with a state of their own.
+fn held(chain: &ChainModel, state: &StandState, patch: PatchKey, lag: u32) -> Vec<BladeRow> {
+    let n = chain.coefficients.segments as usize;
+    let Some(values) = state.cells.blades(lag) else { return Vec::new() };
+    let roots = &state.cells.roots[lag as usize];
+    let row = |(index, root): (usize, &Root)| {
+        let blade = loaded(values, roots.len(), index, n);
+        let [x, y, z] = root.at;
+        let stands = [patch[0] as f32, patch[1] as f32, x, y, z, root.length, root.yaw, root.lean, root.curl, blade.hold];
+        (blade.hold > 0.0).then(|| (stands, blade.state.joints[..n].concat()))
+    };
+    roots.iter().enumerate().filter_map(row).collect()
 }
 
 /// Planes of each awake patch, in key order.

@@ -36,7 +36,7 @@ pub(super) struct Manifest {
 /// One array.
 #[derive(Serialize)]
 pub(super) struct Array {
-    /// `<stand>/beta`, `<stand>/omega`, `<stand>/patches`, `bodies` or `wind`.
+    /// `<stand>/beta`, `<stand>/omega`, `<stand>/patches`, of stands that move blade by blade `<stand>/virtual_blades` and `<stand>/blades`, `bodies` or `wind`.
     pub(super) name: String,
     /// What the numbers mean.
     pub(super) meaning: &'static str,
