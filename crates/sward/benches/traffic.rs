@@ -7,6 +7,7 @@ use std::hint::black_box;
 
 use measure::{PAIRS, median, pair, seconds};
 use rayon::prelude::*;
+use sward::interaction::solid::Solids;
 use sward::lanes::Lanes;
 use sward::model::NoAssets;
 use sward::plan::{PatchPlan, StandPlan};
@@ -46,11 +47,24 @@ impl Field {
                 edited: false,
                 lag_woken: false,
                 pairs: 0..0,
+                around: [NONE; 9],
+                weights: [1.0; 4],
+                solids: 0..0,
+                pixels: 0.0,
+                handing: false,
             }
         };
         let wind = world.wind(&world.model.stands[0]);
         let patches = (0..SIDE * SIDE).map(patch).collect();
-        let plan = StandPlan { tile_wind: wind.clone(), wind, patches, contacts: Vec::new(), edges: Vec::new(), pairs: Vec::new() };
+        let plan = StandPlan {
+            tile_wind: wind.clone(),
+            wind,
+            patches,
+            contacts: Vec::new(),
+            edges: Vec::new(),
+            pairs: Vec::new(),
+            solids: Solids::default(),
+        };
         let mut field = Self { world, cells: Cells::default(), plan };
         field.step(Lanes::default());
         field.plan.patches.iter_mut().for_each(|patch| patch.woken = false);

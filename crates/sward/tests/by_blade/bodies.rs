@@ -163,3 +163,53 @@ fn first_touch_of_a_fast_car() {
     // The limit, stated in docs/papers.md: a bumper at 8 m/s covers 13 cm in a frame, and what it meets at half its height lies down within one.
     assert!(at(0.5) < 0.05 && at(0.99) < 1.0 && largest < 1.6, "{} {} {largest}", at(0.5), at(0.99));
 }
+
+/// A saved state goes on with the same bits; threads change none. Control: a step more is another state.
+#[test]
+fn saved_states_and_threads_keep_the_bits() {
+    for response in ["VirtualInertia()", "Chain()"] {
+        let mut world = meadow(response, WIND, WALKER);
+        (0..40).for_each(|_| world.step());
+        let mut restored = meadow(response, WIND, WALKER);
+        restored.restore(&world.save()).expect("a state of the same scene");
+        assert_eq!(restored.hash(), world.hash());
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+        (0..30).for_each(|_| world.step());
+        pool.install(|| (0..30).for_each(|_| restored.step()));
+        assert_eq!(restored.hash(), world.hash(), "{response}");
+        assert!(!held(&world).is_empty());
+        restored.step();
+        assert_ne!(restored.hash(), world.hash());
+    }
+}
+
+/// Without wind and bodies nothing is awake; with wind alone no blade has a state, unless all have one.
+#[test]
+fn what_nobody_touches_costs_nothing() {
+    let mut still = meadow("VirtualInertia()", "", "");
+    let mut windy = meadow("VirtualInertia()", WIND, "");
+    let mut all = meadow("Chain()", WIND, "");
+    for _ in 0..20 {
+        [&mut still, &mut windy, &mut all].into_iter().for_each(World::step);
+    }
+    assert!(still.state.stands[0].awake.is_empty());
+    assert!(!windy.state.stands[0].awake.is_empty() && held(&windy).is_empty());
+    assert!(held(&all).len() > 10_000);
+    // Wind moves them: what a blade shows differs from place to place and from the still one.
+    let bend = |world: &World, x: f64| world.bend_at(0, [x, 2.0]).expect("a stand");
+    assert_eq!(bend(&still, 1.0), [0.0, 0.0]);
+    assert!(bend(&windy, 1.0)[0] > 0.05 && bend(&windy, 1.0) != bend(&windy, 6.0));
+}
+
+/// Any admitted wind leaves all numbers finite.
+#[test]
+fn storms_stay_finite() {
+    for (response, wind) in [("VirtualInertia()", "Uniform(velocity: (60, 0))"), ("Chain()", "Natural(velocity: (40, 20), turbulence: 1)")]
+    {
+        let mut world = meadow(response, wind, CAR);
+        (0..90).for_each(|_| world.step());
+        let cells = &world.state.stands[0].cells;
+        let mut numbers = cells.now.iter().chain(&cells.virtual_states).chain(&cells.lag).flat_map(|values| values.iter());
+        assert!(numbers.all(|value| value.is_finite()), "{response} in {wind}");
+    }
+}

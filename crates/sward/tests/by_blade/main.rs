@@ -5,3 +5,4 @@ mod common;
 
 mod bodies;
 mod field;
+mod refused;

@@ -110,7 +110,8 @@ fn blades(
     dt: f32,
 ) -> Vec<(PatchKey, u32, f32)> {
     let (now, old) = (&cells.now, &cells.old);
-    let mut slots: Vec<Option<(&mut Box<[f32]>, &mut Box<[Root]>)>> = cells.lag.iter_mut().zip(&mut cells.roots).map(Some).collect();
+    type Slot<'a> = (&'a mut Box<[f32]>, &'a mut Box<[Root]>);
+    let mut slots: Vec<Option<Slot>> = cells.lag.iter_mut().zip(&mut cells.roots).map(Some).collect();
     let with_room = plan.patches.iter().filter(|patch| patch.lag != NONE);
     let work: Vec<_> = with_room.filter_map(|patch| slots[patch.lag as usize].take().map(|slot| (patch, slot))).collect();
     each(work, |(patch, (values, roots))| {
