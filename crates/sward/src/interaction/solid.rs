@@ -125,7 +125,9 @@ impl WorldSolid {
         let way = [to.ground[0] - from.ground[0], to.ground[1] - from.ground[1]];
         let way = (way[0] * way[0] + way[1] * way[1]).sqrt();
         let narrowest = pieces.iter().map(|piece| piece.narrowest()).fold(f64::MAX, f64::min);
-        let moments = ((way / narrowest).ceil().clamp(1.0, MOMENTS)) as u32;
+        let passed = (way / narrowest).ceil();
+        let passed = if passed < MOMENTS { passed } else { MOMENTS };
+        let moments = if passed > 1.0 { passed as u32 } else { 1 };
         let at = |moment: u32| {
             let pose = to.towards(from, f64::from(moments - 1 - moment) / f64::from(moments));
             pieces.iter().filter_map(move |piece| Self::new(piece, &pose, moment, body))

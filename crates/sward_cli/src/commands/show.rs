@@ -5,6 +5,7 @@ use std::fmt::Write;
 use sward::response::StandModel;
 use sward::response::chain::ChainModel;
 use sward::scene::{Flow, Interactor, Path, Precision, Scene, Shape, Terrain, WindSource};
+use sward::state::Root;
 use sward::world::World;
 
 use crate::arguments;
@@ -163,15 +164,24 @@ fn show_blades(world: &World, stand: &StandModel, chain: &ChainModel) -> String 
     let (co, length) = (&chain.coefficients, 0.5 * (stand.species.height[0] + stand.species.height[1]));
     let first = &co.joints[0];
     let frequency = (f64::from(first.stiffness - co.weight * co.half_length) / f64::from(first.inertia)).sqrt() / std::f64::consts::TAU;
-    let lean = chain.steady.lean(4.0).to_degrees();
-    line(&mut text, "", &format!("a blade {length:.2} m long sways at {frequency:.2} Hz; in 4 m/s its tip leans by {lean:.0} degrees"));
+    let damping = stand.species.chain.as_ref().map_or(0.0, |by_blade| by_blade.chain.damping);
+    let segments = co.segments;
+    let sways = format!("sways at {frequency:.2} Hz, damping ratio {damping:.2}");
+    line(&mut text, "", &format!("a blade {length:.2} m long, of {segments} segment{}, {sways}", plural(segments)));
+    line(&mut text, "", &format!("in wind of 4 m/s its tip leans by {:.0} degrees", chain.steady.lean(4.0).to_degrees()));
     let side = chain.virtual_side;
     let blades = chain.blades_of_patch(stand.cells);
-    let who = if chain.all { "of the patches nearest to the camera, and where bodies pass" } else { "that bodies have touched" };
-    line(&mut text, "", &format!("{0} x {0} virtual blades a patch; blades with a state: those {who}", side));
+    let who = if chain.all {
+        "blades near the camera, and where bodies pass, have a state"
+    } else {
+        "blades that bodies have touched have a state"
+    };
+    line(&mut text, "", &format!("{side} x {side} virtual blades a patch; {who}"));
     let patches = world.scene.budget.stateful_blades / blades.max(1);
-    let bytes = 4 * chain.planes() as u64 * u64::from(blades);
-    line(&mut text, "", &format!("{blades} blades and {} bytes a patch for their states; room for {patches} such patches", grouped(bytes)));
+    let bytes = (4 * chain.planes() + size_of::<Root>()) as u64 * u64::from(blades);
+    let total = bytes as f64 * f64::from(patches) / MEGABYTE;
+    let cost = format!("{} bytes a patch for the states of {blades} blades; {total:.1} MB at most, {patches} patches", grouped(bytes));
+    line(&mut text, "", &cost);
     text
 }
 
