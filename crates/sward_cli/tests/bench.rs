@@ -45,6 +45,19 @@ fn bench_counts_the_same_work_every_time_and_times_every_stage() {
     assert_eq!((number(&still["counters"]["cell_steps"]), number(&still["memory"]["state"])), (0.0, 0.0));
 }
 
+/// A stand that moves blade by blade has stages of its own, and none of the continuum's.
+#[test]
+fn blade_by_blade_has_stages_of_its_own() {
+    let place = Place::new("bench_blades");
+    let stand = "(species: Meadow, cells: 8, response: VirtualInertia(), representation: Blade(blades: 1))";
+    place.write(
+        "blades.ron",
+        format!("(version: 1, field: (patch_side: 8), stands: [{stand}], wind: [Natural()], budget: (focus_distance: 8))"),
+    );
+    let table = place.sward(&["bench", "blades.ron", "--steps", "3", "--warm-up", "1", "--size", "16x9", "--draw", "cpu"]).done();
+    assert!(table.contains("virtual blades") && table.contains("blades with a state") && !table.contains("wave"), "{table}");
+}
+
 #[test]
 fn the_threads_are_those_of_the_step() {
     let place = Place::with_small("bench_threads");

@@ -68,7 +68,8 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
     let half_to_full = device::half_to_full(&mut world, &mut backend, &mut progress)?;
     let mut triad = Triad::new();
     let mut measured = Vec::new();
-    if on == Where::Cpu {
+    // Blades have no cells whose bytes could be counted.
+    if on == Where::Cpu && world.model.stands.iter().all(|stand| stand.chain.is_none()) {
         for pair in 0..PAIRS {
             measured.push(pair_of(&mut world, &mut triad, pair % 2 == 0));
             progress.advance();
@@ -113,13 +114,17 @@ fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Re
     }
     let plan = stages.time("plan: bodies, wind, activation", || world.plan());
     // Of all stands together.
-    let names = ["rest", "contact", "wave", "upper segments"];
-    let (mut spent, mut begun) = ([0.0; 4], Instant::now());
+    let names = ["rest", "contact", "wave", "upper segments", "virtual blades", "blades with a state"];
+    let by_blade = world.model.stands.iter().filter(|stand| stand.chain.is_some()).count();
+    let (mut spent, mut begun) = ([0.0; 6], Instant::now());
     let summaries = world.respond_in_stages(&plan, &mut |stage| {
         spent[stage as usize] += 1e3 * begun.elapsed().as_secs_f64();
         begun = Instant::now();
     });
-    names.into_iter().zip(spent).for_each(|(name, milliseconds)| stages.add(name, milliseconds));
+    let (continuum, blades) = spent.split_at(4);
+    let shown = [(by_blade < world.model.stands.len() || by_blade == 0, continuum), (by_blade > 0, blades)];
+    let named = names.into_iter().zip(shown.into_iter().flat_map(|(has, spent)| spent.iter().map(move |time| (has, *time))));
+    named.filter(|(_, (has, _))| *has).for_each(|(name, (_, milliseconds))| stages.add(name, milliseconds));
     stages.time("file summaries", || world.finish(summaries));
     Ok(())
 }
