@@ -18,7 +18,7 @@ use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::scene::{
     Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
-use crate::state::BodyState;
+use crate::state::{BodyState, Root};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::{Flow, Images, Source, Tile};
 
@@ -257,13 +257,15 @@ fn chain_model(scene: &Scene, index: usize, species: &SpeciesModel, patch_side: 
     let chain = chain.map_err(|error| SceneError::in_file("", error.to_string()).named_by(trail("response")))?;
     let (cells, budget) = (scene.stands[index].cells, scene.budget.stateful_blades);
     let blades = chain.blades_of_patch(cells);
-    let most = (MOST_BLADE_BYTES / (4 * chain.planes() as u64)).min(u64::from(budget));
+    // Its state, or where it stands: the wider of two buffers.
+    let each = (4 * chain.planes()).max(size_of::<Root>()) as u64;
+    let most = (MOST_BLADE_BYTES / each).min(u64::from(budget));
     if u64::from(blades) > most {
         let message = format!(
             "a patch has {cells} × {cells} cells of {} blades, {blades} in all; at most {most} can have a state",
             chain.stances.blades
         );
-        let help = if u64::from(budget) > most || u64::from(blades) * 4 * chain.planes() as u64 > MOST_BLADE_BYTES {
+        let help = if u64::from(budget) > most || u64::from(blades) * each > MOST_BLADE_BYTES {
             "give the stand fewer cells, or its plants fewer blades".to_owned()
         } else {
             format!("write `budget: (stateful_blades: {blades})`, or give the stand fewer cells, or its plants fewer blades")
