@@ -60,6 +60,11 @@ pub struct Nearness {
     pub normal: [f32; 3],
 }
 
+impl Nearness {
+    /// Far from a solid.
+    pub const AWAY: Self = Self { distance: AWAY, normal: [0.0, 1.0, 0.0] };
+}
+
 /// A solid in the world, m from the authored origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorldSolid {
@@ -172,10 +177,9 @@ const AWAY: f32 = 1e3;
 /// How a point (patch-local x, z; absolute y) lies to a solid. `standing`: its underside is none, since plants there cannot pass below.
 #[inline(always)]
 pub fn nearness(solid: &SolidHead, planes: &[[f32; 4]], at: [f32; 3], standing: bool) -> Nearness {
-    let none = Nearness { distance: AWAY, normal: [0.0, 1.0, 0.0] };
     let beside = |axis: usize| at[axis] < solid.low[axis] || at[axis] > solid.high[axis];
     if beside(0) || beside(2) || at[1] > solid.high[1] || (at[1] < solid.low[1] && !standing) {
-        return none;
+        return Nearness::AWAY;
     }
     if solid.count == 0 {
         return ellipsoid_nearness(solid, at);

@@ -174,7 +174,7 @@ fn busy_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         blades[end + chain.blades] = 0.0;
     }
     let rests = blades[end] <= 0.0 && blades[end + chain.blades] <= 0.0 && chain.all == 0u;
-    if root.length <= 0.0 || (rests && !push_reach(Obstacles(present.solid_first, present.solid_count, 0u, 0u), root)) {
+    if root.length <= 0.0 || (rests && !push_reach(push_obstacles(present.solid_first, present.solid_count), root)) {
         return;
     }
     let place = atomicAdd(&summary[chain.busy + 3u], 1u);
@@ -195,7 +195,7 @@ fn blades_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     let first = entry.lag * (6u * n + 2u) * chain.blades + which.y;
     let root = roots[entry.lag * chain.blades + which.y];
     let by = Holding(
-        Obstacles(entry.solid_first, entry.solid_count, 0u, 0u), chain.dt, entry.keep, entry.pixels,
+        push_obstacles(entry.solid_first, entry.solid_count), chain.dt, entry.keep, entry.pixels,
         chain.all != 0u, (entry.flags & 8u) != 0u,
     );
     var blade = HeldBlade();

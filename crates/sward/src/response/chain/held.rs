@@ -77,15 +77,11 @@ fn apart(co: &ChainCoefficients, a: &Bends, b: &Bends) -> f32 {
     most
 }
 
-/// A blade where it stands, its base, and the bodies around it.
-type Planted<'a> = (&'a Root, &'a Frame, &'a Around);
-
 impl Holding<'_> {
     /// One step of one blade. `stands` gives its pose by the virtual blades, now (`false`) and a step before (`true`); `wind` the air at its root,
-    /// (x, z) m/s. Both are asked only where they are needed.
+    /// (x, z) m/s.
     #[inline(always)]
     pub fn step(&self, root: &Root, blade: &mut HeldBlade, stands: impl Fn(&Frame, bool) -> Bends, wind: impl Fn() -> [f32; 2]) {
-        let around = self.obstacles.around(root);
         let pushed = self.obstacles.reach(root);
         let all = self.all && !self.handing;
         if root.length <= 0.0 || (blade.hold <= 0.0 && !pushed && !all) {
@@ -93,67 +89,61 @@ impl Holding<'_> {
             return;
         }
         let base = planted(root.yaw, root.lean);
+        let around = self.obstacles.around(root);
+        let virtual_ = stands(&base, false);
+        let shown = self.swing(root, &base, blade, &virtual_, wind);
+        let touched = pushed && is_pushed(self.co, root, &base, &self.obstacles, &around, &shown);
         if blade.hold <= 0.0 {
-            self.take((root, &base, &around), blade, all, stands);
-        } else {
-            self.swing((root, &base, &around), blade, [pushed, all], stands, wind);
+            if touched || all {
+                self.take(blade, &virtual_, &stands(&base, true));
+            }
+        } else if touched || all {
+            self.stay(blade, &shown);
+        }
+        if blade.hold >= 1.0 {
+            let obstacles = if touched { self.obstacles } else { Obstacles::NONE };
+            self.push_out((root, &base), &obstacles, &around, blade);
+        }
+        if blade.hold > 0.0 && !touched && !all {
+            self.go_back((root, &base), blade, &virtual_, || stands(&base, true));
         }
         blade.hold *= self.keep;
     }
 
-    /// Gives a blade its state, as it stands, if a body touches it.
+    /// A blade with a state swings. Returns how it would be drawn then.
     #[inline(always)]
-    fn take(&self, (root, base, around): Planted<'_>, blade: &mut HeldBlade, all: bool, stands: impl Fn(&Frame, bool) -> Bends) {
-        let now = stands(base, false);
-        blade.hold_before = 0.0;
-        if !all && !is_pushed(self.co, root, base, &self.obstacles, around, &now) {
-            return;
+    fn swing(&self, root: &Root, base: &Frame, blade: &mut HeldBlade, virtual_: &Bends, wind: impl Fn() -> [f32; 2]) -> Bends {
+        blade.hold_before = blade.hold;
+        if blade.hold <= 0.0 {
+            return *virtual_;
         }
-        let before = stands(base, true);
+        blade.before = blade.state.bends();
+        let [x, z] = wind();
+        blade.state = step(self.co, base, root.curl, [x, 0.0, z], self.dt, &blade.state);
+        if blade.hold < 1.0 { mixed(virtual_, &blade.state.bends(), blade.hold) } else { blade.state.bends() }
+    }
+
+    /// Gives a blade its state, as it stands.
+    #[inline(always)]
+    fn take(&self, blade: &mut HeldBlade, now: &Bends, before: &Bends) {
         for i in 0..count(self.co) {
             let rate = [0, 1].map(|axis: usize| (now[i][axis] - before[i][axis]) / self.dt);
             blade.state.joints[i] = [now[i][0], now[i][1], rate[0], rate[1]];
         }
-        (blade.before, blade.hold, blade.hold_before) = (before, 1.0, 1.0);
-        self.push_out((root, base, around), blade);
+        (blade.before, blade.hold, blade.hold_before) = (*before, 1.0, 1.0);
     }
 
-    /// A blade with a state: it swings, is pushed, or goes back.
+    /// A blade that nothing touches goes back to the virtual ones, once it has settled.
     #[inline(always)]
-    fn swing(
-        &self,
-        (root, base, around): Planted<'_>,
-        blade: &mut HeldBlade,
-        [pushed, all]: [bool; 2],
-        stands: impl Fn(&Frame, bool) -> Bends,
-        wind: impl Fn() -> [f32; 2],
-    ) {
-        (blade.before, blade.hold_before) = (blade.state.bends(), blade.hold);
-        let [x, z] = wind();
-        blade.state = step(self.co, base, root.curl, [x, 0.0, z], self.dt, &blade.state);
-        let back = blade.hold < 1.0;
-        let shown = if back { mixed(&stands(base, false), &blade.state.bends(), blade.hold) } else { blade.state.bends() };
-        if pushed && is_pushed(self.co, root, base, &self.obstacles, around, &shown) {
-            self.stay(blade, &shown);
-            self.push_out((root, base, around), blade);
+    fn go_back(&self, (root, base): (&Root, &Frame), blade: &mut HeldBlade, virtual_: &Bends, virtual_before: impl Fn() -> Bends) {
+        if blade.hold >= 1.0 && !self.handing && !self.is_settled(root, base, blade, virtual_, virtual_before) {
             return;
         }
-        if blade.hold >= 1.0 {
-            self.put(blade, |bends| self.off_the_ground(root, base, bends));
-        }
-        if all {
-            self.stay(blade, &shown);
-            return;
-        }
-        let virtual_ = stands(base, false);
-        let own = blade.state.bends();
-        if back || self.handing || self.is_settled(root, base, blade, virtual_, || stands(base, true)) {
-            let (a, b) = (tip(self.co, root, base, &own), tip(self.co, root, base, &virtual_));
-            let way = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-            let pixels = self.pixels * (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt();
-            let share = math::lower(self.dt / FADE, MOTION * FRAMES * self.dt / math::upper(pixels, 1e-6));
-            blade.hold = math::upper(blade.hold - share, 0.0);
-        }
+        let (a, b) = (tip(self.co, root, base, &blade.state.bends()), tip(self.co, root, base, virtual_));
+        let way = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+        let pixels = self.pixels * (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt();
+        let share = math::lower(self.dt / FADE, MOTION * FRAMES * self.dt / math::upper(pixels, 1e-6));
+        blade.hold = math::upper(blade.hold - share, 0.0);
     }
 
     /// What is shown becomes the blade's own state.
@@ -167,16 +157,19 @@ impl Holding<'_> {
         }
     }
 
+    /// Whether a blade keeps to the virtual ones; what the ground keeps up is settled too.
     #[inline(always)]
-    fn is_settled(&self, root: &Root, base: &Frame, blade: &HeldBlade, mut virtual_: Bends, virtual_before: impl Fn() -> Bends) -> bool {
+    fn is_settled(&self, root: &Root, base: &Frame, blade: &HeldBlade, virtual_: &Bends, virtual_before: impl Fn() -> Bends) -> bool {
         let own = blade.state.bends();
-        // What the ground keeps up is settled too.
-        self.off_the_ground(root, base, &mut virtual_);
+        let off_the_ground = |mut bends: Bends| {
+            push(self.co, root, base, &Obstacles::NONE, &Obstacles::NONE.around(root), &mut bends);
+            bends
+        };
+        let virtual_ = off_the_ground(*virtual_);
         if apart(self.co, &own, &virtual_) > NEAR * NEAR {
             return false;
         }
-        let mut before = virtual_before();
-        self.off_the_ground(root, base, &mut before);
+        let before = off_the_ground(virtual_before());
         let mut fastest = 0.0;
         for i in 0..count(self.co) {
             let rate = [0, 1].map(|axis: usize| own[i][axis] - virtual_[i][axis] - blade.before[i][axis] + before[i][axis]);
@@ -185,21 +178,11 @@ impl Holding<'_> {
         fastest <= SLOW * SLOW * self.dt * self.dt
     }
 
+    /// Out of bodies and off the ground; joints that were turned stand still.
     #[inline(always)]
-    fn off_the_ground(&self, root: &Root, base: &Frame, bends: &mut Bends) -> u32 {
-        push(self.co, root, base, &Obstacles::NONE, &Around::default(), bends)
-    }
-
-    #[inline(always)]
-    fn push_out(&self, (root, base, around): Planted<'_>, blade: &mut HeldBlade) {
-        self.put(blade, |bends| push(self.co, root, base, &self.obstacles, around, bends));
-    }
-
-    /// Where something puts a blade; joints that were turned stand still.
-    #[inline(always)]
-    fn put(&self, blade: &mut HeldBlade, to: impl Fn(&mut Bends) -> u32) {
+    fn push_out(&self, (root, base): (&Root, &Frame), obstacles: &Obstacles, around: &Around, blade: &mut HeldBlade) {
         let mut bends = blade.state.bends();
-        let turned = to(&mut bends);
+        let turned = push(self.co, root, base, obstacles, around, &mut bends);
         for i in 0..count(self.co) {
             let [_, _, wx, wy] = blade.state.joints[i];
             let still = turned >> i & 1 == 1;

@@ -33,13 +33,27 @@ fn held_bends(state: ChainState) -> array<vec2<f32>, 8> {
     return bends;
 }
 
-fn held_put(blade: HeldBlade, pushed: Pushed, segments: u32) -> HeldBlade {
+fn held_swing(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32>, blade: HeldBlade) -> HeldBlade {
     var next = blade;
-    var bends = pushed.bends;
-    for (var i = 0u; i < min(segments, CHAIN_MOST_SEGMENTS); i++) {
-        let still = ((pushed.turned >> i) & 1u) == 1u;
-        next.state.joints[i] = vec4<f32>(bends[i], select(next.state.joints[i].zw, vec2<f32>(0.0), still));
+    next.hold_before = blade.hold;
+    if blade.hold > 0.0 {
+        next.before = held_bends(blade.state);
+        let air = held_wind(root);
+        next.state = chain_step(co, base, root.curl, vec3<f32>(air.x, 0.0, air.y), by.dt, blade.state);
     }
+    return next;
+}
+
+fn held_take(co: ChainCoefficients, blade: HeldBlade, now_: array<vec2<f32>, 8>, before: array<vec2<f32>, 8>, dt: f32) -> HeldBlade {
+    var next = blade;
+    var stands = now_;
+    var stood = before;
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        next.state.joints[i] = vec4<f32>(stands[i], (stands[i] - stood[i]) / dt);
+    }
+    next.before = before;
+    next.hold = 1.0;
+    next.hold_before = 1.0;
     return next;
 }
 
@@ -55,10 +69,20 @@ fn held_stay(blade: HeldBlade, posture: array<vec2<f32>, 8>, segments: u32) -> H
     return next;
 }
 
+fn held_push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, blade: HeldBlade) -> HeldBlade {
+    var next = blade;
+    let pushed = push_out(co, root, base, obstacles, held_bends(blade.state));
+    var bends = pushed.bends;
+    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+        let still = ((pushed.turned >> i) & 1u) == 1u;
+        next.state.joints[i] = vec4<f32>(bends[i], select(next.state.joints[i].zw, vec2<f32>(0.0), still));
+    }
+    return next;
+}
+
 fn held_settled(co: ChainCoefficients, root: Root, base: mat3x3<f32>, blade: HeldBlade, virtual_pose: array<vec2<f32>, 8>, dt: f32) -> bool {
-    let nothing = Obstacles(0u, 0u, 0u, 0u);
     var own = blade.state.joints;
-    var stands = push_out(co, root, base, nothing, virtual_pose).bends;
+    var stands = push_out(co, root, base, push_obstacles(0u, 0u), virtual_pose).bends;
     var farthest = 0.0;
     for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
         let off = own[i].xy - stands[i];
@@ -67,7 +91,7 @@ fn held_settled(co: ChainCoefficients, root: Root, base: mat3x3<f32>, blade: Hel
     if farthest > HELD_NEAR * HELD_NEAR {
         return false;
     }
-    var earlier = push_out(co, root, base, nothing, held_stands(root, base, true)).bends;
+    var earlier = push_out(co, root, base, push_obstacles(0u, 0u), held_stands(root, base, true)).bends;
     var before = blade.before;
     var fastest = 0.0;
     for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
@@ -77,69 +101,51 @@ fn held_settled(co: ChainCoefficients, root: Root, base: mat3x3<f32>, blade: Hel
     return fastest <= HELD_SLOW * HELD_SLOW * dt * dt;
 }
 
-fn held_take(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32>, blade: HeldBlade, all: bool) -> HeldBlade {
+fn held_go_back(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32>, blade: HeldBlade, stands: array<vec2<f32>, 8>) -> HeldBlade {
     var next = blade;
-    var now_ = held_stands(root, base, false);
-    next.hold_before = 0.0;
-    if !all && !push_touches(co, root, base, by.obstacles, now_) {
+    if blade.hold >= 1.0 && !by.handing && !held_settled(co, root, base, blade, stands, by.dt) {
         return next;
     }
-    var before = held_stands(root, base, true);
-    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
-        next.state.joints[i] = vec4<f32>(now_[i], (now_[i] - before[i]) / by.dt);
-    }
-    next.before = before;
-    next.hold = 1.0;
-    next.hold_before = 1.0;
-    return held_put(next, push_out(co, root, base, by.obstacles, now_), co.segments);
-}
-
-fn held_swing(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32>, blade: HeldBlade, pushed: bool, all: bool) -> HeldBlade {
-    var next = blade;
-    next.before = held_bends(blade.state);
-    next.hold_before = blade.hold;
-    let air = held_wind(root);
-    next.state = chain_step(co, base, root.curl, vec3<f32>(air.x, 0.0, air.y), by.dt, blade.state);
-    let back = blade.hold < 1.0;
-    var shown = held_bends(next.state);
-    if back {
-        shown = standing_mixed(held_stands(root, base, false), shown, blade.hold);
-    }
-    if pushed && push_touches(co, root, base, by.obstacles, shown) {
-        next = held_stay(next, shown, co.segments);
-        return held_put(next, push_out(co, root, base, by.obstacles, held_bends(next.state)), co.segments);
-    }
-    if next.hold >= 1.0 {
-        next = held_put(next, push_out(co, root, base, Obstacles(0u, 0u, 0u, 0u), held_bends(next.state)), co.segments);
-    }
-    if all {
-        return held_stay(next, shown, co.segments);
-    }
-    let stands = held_stands(root, base, false);
-    if back || by.handing || held_settled(co, root, base, next, stands, by.dt) {
-        let way = push_tip(co, root, base, held_bends(next.state)) - push_tip(co, root, base, stands);
-        let pixels = by.pixels * sqrt(dot(way, way));
-        let share = math_lower(by.dt / HELD_FADE, HELD_MOTION * HELD_FRAMES * by.dt / math_upper(pixels, 1e-6));
-        next.hold = math_upper(next.hold - share, 0.0);
-    }
+    let way = push_tip(co, root, base, held_bends(blade.state)) - push_tip(co, root, base, stands);
+    let pixels = by.pixels * sqrt(dot(way, way));
+    let share = math_lower(by.dt / HELD_FADE, HELD_MOTION * HELD_FRAMES * by.dt / math_upper(pixels, 1e-6));
+    next.hold = math_upper(blade.hold - share, 0.0);
     return next;
 }
 
-fn held_step(co: ChainCoefficients, holding: Holding, root: Root, blade: HeldBlade) -> HeldBlade {
-    var next = blade;
-    var by = holding;
-    by.obstacles = push_around(holding.obstacles, root);
+fn held_step(co: ChainCoefficients, by: Holding, root: Root, blade: HeldBlade) -> HeldBlade {
     let pushed = push_reach(by.obstacles, root);
     let all = by.all && !by.handing;
+    var next = blade;
     if root.length <= 0.0 || (blade.hold <= 0.0 && !pushed && !all) {
         next.hold_before = 0.0;
         return next;
     }
     let base = chain_planted(root.yaw, root.lean);
-    if blade.hold <= 0.0 {
-        next = held_take(co, by, root, base, blade, all);
-    } else {
-        next = held_swing(co, by, root, base, blade, pushed, all);
+    let around = push_around(by.obstacles, root);
+    let stands = held_stands(root, base, false);
+    next = held_swing(co, by, root, base, blade);
+    var shown = held_bends(next.state);
+    if next.hold < 1.0 {
+        shown = standing_mixed(stands, shown, next.hold);
+    }
+    let touched = pushed && push_touches(co, root, base, around, shown);
+    if touched || all {
+        if next.hold <= 0.0 {
+            next = held_take(co, next, stands, held_stands(root, base, true), by.dt);
+        } else {
+            next = held_stay(next, shown, co.segments);
+        }
+    }
+    if next.hold >= 1.0 {
+        var obstacles = push_obstacles(0u, 0u);
+        if touched {
+            obstacles = around;
+        }
+        next = held_push_out(co, root, base, obstacles, next);
+    }
+    if next.hold > 0.0 && !touched && !all {
+        next = held_go_back(co, by, root, base, next, stands);
     }
     next.hold *= by.keep;
     return next;

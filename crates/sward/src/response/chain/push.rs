@@ -8,7 +8,7 @@ use super::frame::{Frame, bend_towards, product, rotation, to_local};
 use super::joint::{BEND_LIMIT, Bends, count, rest_turn};
 use crate::interaction::solid::{Nearness, SolidHead, nearness, stands_on};
 use crate::math;
-use crate::state::Root;
+use crate::state::{NONE, Root};
 
 /// Most sweeps from root to tip.
 const SWEEPS: u32 = 16;
@@ -44,12 +44,14 @@ pub struct Obstacles<'a> {
 }
 
 /// How the bodies of a patch lie to one blade, worked out once: bits of the first 32 of them.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub struct Around {
     /// They can touch it.
     near: u32,
     /// They leave no room to pass below them.
     standing: u32,
+    /// The moment of the step that counts; all if [`NONE`].
+    moment: u32,
 }
 
 /// Solids with bits of their own; others are asked each time.
@@ -68,7 +70,7 @@ impl Obstacles<'_> {
     /// How they lie to a blade.
     #[inline(always)]
     pub fn around(&self, root: &Root) -> Around {
-        let mut around = Around::default();
+        let mut around = Around { near: 0, standing: 0, moment: NONE };
         for (k, solid) in self.heads.iter().enumerate().take(BITS) {
             if reaches(solid, root) {
                 around.near |= 1 << k;
@@ -78,22 +80,48 @@ impl Obstacles<'_> {
         around
     }
 
-    /// How a point lies to solid number `k`; `None` if that cannot touch the blade.
+    /// The same of one moment of the step.
     #[inline(always)]
-    fn nearness(&self, k: usize, around: &Around, root: &Root, at: [f32; 3]) -> Option<Nearness> {
+    fn at(&self, around: &Around, moment: u32) -> Around {
+        let mut near = 0;
+        for (k, solid) in self.heads.iter().enumerate().take(BITS) {
+            near |= u32::from(solid.moment == moment) << k;
+        }
+        Around { near: around.near & near, moment, ..*around }
+    }
+
+    /// The next solid from number `k` on that may touch the blade; none is left once that is not below their number. Few of them do, so that
+    /// those are not even looked at.
+    #[inline(always)]
+    fn next(&self, around: &Around, k: usize) -> usize {
+        let left = if k < BITS { around.near >> k } else { 0 };
+        if left != 0 { k + left.trailing_zeros() as usize } else { k.max(BITS) }
+    }
+
+    /// How a point lies to solid number `k`; far away from those that cannot touch the blade.
+    #[inline(always)]
+    fn nearness(&self, k: usize, around: &Around, root: &Root, at: [f32; 3]) -> Nearness {
         let solid = &self.heads[k];
-        let standing = if k < BITS {
-            if around.near >> k & 1 == 0 {
-                return None;
+        if k < BITS {
+            return nearness(solid, self.planes, at, around.standing >> k & 1 == 1);
+        }
+        if !reaches(solid, root) || (around.moment != NONE && solid.moment != around.moment) {
+            return Nearness::AWAY;
+        }
+        nearness(solid, self.planes, at, stands_on(solid, self.planes, root.at, ROOM))
+    }
+
+    /// Whether a point lies too deep in any of them.
+    #[inline(always)]
+    fn is_deep(&self, around: &Around, root: &Root, at: [f32; 3]) -> bool {
+        let mut k = self.next(around, 0);
+        while k < self.heads.len() {
+            if self.nearness(k, around, root, at).distance < -TOLERANCE {
+                return true;
             }
-            around.standing >> k & 1 == 1
-        } else {
-            if !reaches(solid, root) {
-                return None;
-            }
-            stands_on(solid, self.planes, root.at, ROOM)
-        };
-        Some(nearness(solid, self.planes, at, standing))
+            k = self.next(around, k + 1);
+        }
+        false
     }
 }
 
@@ -104,10 +132,10 @@ fn reaches(solid: &SolidHead, root: &Root) -> bool {
     near(0) && near(2) && solid.low[1] <= root.at[1] + root.length
 }
 
-/// Where a point goes that lies too deep in the ground or in bodies of a moment: out of one after the other, twice, so that it leaves corners
-/// between them. `None` if it lies nowhere too deep.
+/// Where a point goes that lies too deep in the ground or in bodies: out of one after the other, twice, so that it leaves corners between them.
+/// `None` if it lies nowhere too deep.
 #[inline(always)]
-fn free(obstacles: &Obstacles, around: &Around, moment: u32, root: &Root, at: [f32; 3]) -> Option<[f32; 3]> {
+fn free(obstacles: &Obstacles, around: &Around, root: &Root, at: [f32; 3]) -> Option<[f32; 3]> {
     let [sx, sz] = root.slope;
     let rise = 1.0 / (1.0 + sx * sx + sz * sz).sqrt();
     let mut there = at;
@@ -118,15 +146,14 @@ fn free(obstacles: &Obstacles, around: &Around, moment: u32, root: &Root, at: [f
             there = [there[0] + ground * sx * rise, there[1] - ground * rise, there[2] + ground * sz * rise];
             moved = true;
         }
-        for k in 0..obstacles.heads.len() {
-            if obstacles.heads[k].moment != moment {
-                continue;
-            }
-            let Some(Nearness { distance, normal }) = obstacles.nearness(k, around, root, there) else { continue };
+        let mut k = obstacles.next(around, 0);
+        while k < obstacles.heads.len() {
+            let Nearness { distance, normal } = obstacles.nearness(k, around, root, there);
             if distance < -TOLERANCE {
                 there = [0, 1, 2].map(|axis| there[axis] + (SLACK - distance) * normal[axis]);
                 moved = true;
             }
+            k = obstacles.next(around, k + 1);
         }
         if !moved {
             return None;
@@ -144,12 +171,7 @@ fn points(below: [f32; 3], way: [f32; 3], length: f32) -> [[f32; 3]; 2] {
 /// Whether any segment of a blade, or its root, lies too deep in a body at any moment of the step. The ground alone does not count: wind may
 /// press blades to it, and pictures lift them.
 pub fn is_pushed(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, around: &Around, bends: &Bends) -> bool {
-    let deep = |at: [f32; 3]| {
-        (0..obstacles.heads.len()).any(|k| {
-            let found = obstacles.nearness(k, around, root, at);
-            found.is_some_and(|found| found.distance < -TOLERANCE)
-        })
-    };
+    let deep = |at: [f32; 3]| obstacles.is_deep(around, root, at);
     if deep(root.at) {
         return true;
     }
@@ -171,7 +193,9 @@ pub fn push(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obsta
     let mut turned = 0;
     let last = obstacles.heads.iter().map(|solid| solid.moment).max().unwrap_or(0);
     for moment in 0..=last {
-        if is_over(obstacles, around, moment, root) {
+        let around = obstacles.at(around, moment);
+        // A body stands on the root: no joint can turn the blade out of it, so it lies flat under it.
+        if obstacles.is_deep(&around, root, root.at) {
             *bends = lying(co, root, base, TILTS[1], HEADINGS[0], tip(co, root, base, bends));
             turned = (1 << co.segments) - 1;
             continue;
@@ -179,24 +203,15 @@ pub fn push(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obsta
         let mut moved = 1;
         for number in 0..SWEEPS {
             if moved != 0 {
-                moved = sweep(co, root, base, (obstacles, around), moment, number / PATIENCE % co.segments, bends);
+                moved = sweep(co, root, base, (obstacles, &around), number / PATIENCE % co.segments, bends);
                 turned |= moved;
             }
         }
-        if moved != 0 && lies_down(co, root, base, (obstacles, around), moment, bends) {
+        if moved != 0 && lies_down(co, root, base, (obstacles, &around), bends) {
             turned = (1 << co.segments) - 1;
         }
     }
     turned
-}
-
-/// Whether a body stands on a root at a moment of the step: no joint can turn the blade out of it, so it lies flat under it.
-#[inline(always)]
-fn is_over(obstacles: &Obstacles, around: &Around, moment: u32, root: &Root) -> bool {
-    (0..obstacles.heads.len()).any(|k| {
-        let now = obstacles.heads[k].moment == moment;
-        now && obstacles.nearness(k, around, root, root.at).is_some_and(|found| found.distance < -TOLERANCE)
-    })
 }
 
 /// The bends with which a blade lies straight, tilted from the ground's normal, its tip turned by a heading from where `tip` is.
@@ -217,12 +232,12 @@ fn lying(co: &ChainCoefficients, root: &Root, base: &Frame, (sine, cosine): (f32
 
 /// Where sweeps go to and fro in a corner between bodies, a blade lies down straight: the way its tip points, or the next one to that which is
 /// free. Returns whether there is one; else the bends stay.
-fn lies_down(co: &ChainCoefficients, root: &Root, base: &Frame, by: (&Obstacles, &Around), moment: u32, bends: &mut Bends) -> bool {
+fn lies_down(co: &ChainCoefficients, root: &Root, base: &Frame, by: (&Obstacles, &Around), bends: &mut Bends) -> bool {
     let tip = tip(co, root, base, bends);
     for tilt in TILTS {
         for heading in HEADINGS {
             let mut lying = lying(co, root, base, tilt, heading, tip);
-            if sweep(co, root, base, by, moment, 0, &mut lying) == 0 {
+            if sweep(co, root, base, by, 0, &mut lying) == 0 {
                 *bends = lying;
                 return true;
             }
@@ -313,7 +328,6 @@ fn sweep(
     root: &Root,
     base: &Frame,
     (obstacles, around): (&Obstacles, &Around),
-    moment: u32,
     lower: u32,
     bends: &mut Bends,
 ) -> u32 {
@@ -325,7 +339,7 @@ fn sweep(
         blade.follow(i);
         for end in 0..2 {
             let point = points(blade.places[i], blade.frames[i + 1][2], length)[end];
-            let Some(there) = free(obstacles, around, moment, root, point) else { continue };
+            let Some(there) = free(obstacles, around, root, point) else { continue };
             let j = i.saturating_sub(lower as usize);
             blade.turn(j, point, there);
             (j..=i).for_each(|k| blade.follow(k));

@@ -12,12 +12,14 @@ struct Root {
     more_unused: vec2<f32>,
 }
 
-// Bodies that reach a patch: their first number and how many; and, once asked with push_around, how the first 32 lie to one blade.
+// Bodies that reach a patch: their first number and how many; and, once asked with push_around, how the first 32 lie to one blade, and the moment
+// of the step that counts: all of them if that is NONE.
 struct Obstacles {
     first: u32,
     count: u32,
     near: u32,
     standing: u32,
+    moment: u32,
 }
 
 struct Pushed {
@@ -30,6 +32,7 @@ struct PushFree {
     place: vec3<f32>,
 }
 
+const PUSH_BITS: u32 = 32u;
 const PUSH_SWEEPS: u32 = 16u;
 const PUSH_ROUNDS: u32 = 2u;
 const PUSH_PATIENCE: u32 = 2u;
@@ -44,6 +47,10 @@ fn push_reaches(solid: SolidHead, root: Root) -> bool {
     return near && solid.low.y <= root.at.y + root.length;
 }
 
+fn push_obstacles(first: u32, count: u32) -> Obstacles {
+    return Obstacles(first, count, 0u, 0u, STANDING_NONE);
+}
+
 fn push_reach(obstacles: Obstacles, root: Root) -> bool {
     var near = false;
     for (var k = 0u; k < obstacles.count && !near; k++) {
@@ -54,7 +61,7 @@ fn push_reach(obstacles: Obstacles, root: Root) -> bool {
 
 fn push_around(bodies: Obstacles, root: Root) -> Obstacles {
     var obstacles = bodies;
-    for (var k = 0u; k < min(bodies.count, 32u); k++) {
+    for (var k = 0u; k < min(bodies.count, PUSH_BITS); k++) {
         let solid = push_solid(bodies.first + k);
         if push_reaches(solid, root) {
             obstacles.near |= 1u << k;
@@ -64,40 +71,41 @@ fn push_around(bodies: Obstacles, root: Root) -> Obstacles {
     return obstacles;
 }
 
-// How a point lies to solid k; far away if that cannot touch the blade.
-fn push_nearness(obstacles: Obstacles, k: u32, solid: SolidHead, root: Root, at: vec3<f32>) -> SolidNearness {
+fn push_at(around: Obstacles, moment: u32) -> Obstacles {
+    var near = 0u;
+    for (var k = 0u; k < min(around.count, PUSH_BITS); k++) {
+        near |= select(0u, 1u, push_solid(around.first + k).moment == moment) << k;
+    }
+    return Obstacles(around.first, around.count, around.near & near, around.standing, moment);
+}
+
+fn push_next(obstacles: Obstacles, k: u32) -> u32 {
+    let left = select(0u, obstacles.near >> (k & 31u), k < PUSH_BITS);
+    return select(max(k, PUSH_BITS), k + firstTrailingBit(left), left != 0u);
+}
+
+fn push_nearness(obstacles: Obstacles, k: u32, root: Root, at: vec3<f32>) -> SolidNearness {
+    let solid = push_solid(obstacles.first + k);
     var standing = ((obstacles.standing >> (k & 31u)) & 1u) == 1u;
-    if k >= 32u {
+    if k >= PUSH_BITS {
+        if !push_reaches(solid, root) || (obstacles.moment != STANDING_NONE && solid.moment != obstacles.moment) {
+            return SolidNearness(SOLID_AWAY, vec3<f32>(0.0, 1.0, 0.0));
+        }
         standing = solid_stands_on(solid, root.at, PUSH_ROOM);
     }
     return solid_nearness(solid, at, standing);
 }
 
-fn push_is_near(obstacles: Obstacles, k: u32, root: Root) -> bool {
-    if k >= 32u {
-        return push_reaches(push_solid(obstacles.first + k), root);
-    }
-    return ((obstacles.near >> k) & 1u) == 1u;
-}
-
-// Whether a point lies too deep in a body of a moment; of any moment if that is NONE.
-fn push_deep(obstacles: Obstacles, moment: u32, root: Root, at: vec3<f32>) -> bool {
-    for (var k = 0u; k < obstacles.count; k++) {
-        if !push_is_near(obstacles, k, root) {
-            continue;
-        }
-        let solid = push_solid(obstacles.first + k);
-        if moment != STANDING_NONE && solid.moment != moment {
-            continue;
-        }
-        if push_nearness(obstacles, k, solid, root, at).distance < -PUSH_TOLERANCE {
+fn push_deep(obstacles: Obstacles, root: Root, at: vec3<f32>) -> bool {
+    for (var k = push_next(obstacles, 0u); k < obstacles.count; k = push_next(obstacles, k + 1u)) {
+        if push_nearness(obstacles, k, root, at).distance < -PUSH_TOLERANCE {
             return true;
         }
     }
     return false;
 }
 
-fn push_free(obstacles: Obstacles, moment: u32, root: Root, at: vec3<f32>) -> PushFree {
+fn push_free(obstacles: Obstacles, root: Root, at: vec3<f32>) -> PushFree {
     let rise = 1.0 / sqrt(1.0 + root.slope.x * root.slope.x + root.slope.y * root.slope.y);
     let normal = vec3<f32>(-root.slope.x, 1.0, -root.slope.y) * rise;
     var free = PushFree(false, at);
@@ -105,17 +113,10 @@ fn push_free(obstacles: Obstacles, moment: u32, root: Root, at: vec3<f32>) -> Pu
         let off = free.place - root.at;
         let ground = (off.y - PUSH_CLEAR - root.slope.x * off.x - root.slope.y * off.z) * rise;
         if ground < -PUSH_TOLERANCE {
-            free = PushFree(true, free.place + (PUSH_SLACK - ground) * normal);
+            free = PushFree(true, free.place - ground * normal);
         }
-        for (var k = 0u; k < obstacles.count; k++) {
-            if !push_is_near(obstacles, k, root) {
-                continue;
-            }
-            let solid = push_solid(obstacles.first + k);
-            if solid.moment != moment {
-                continue;
-            }
-            let found = push_nearness(obstacles, k, solid, root, free.place);
+        for (var k = push_next(obstacles, 0u); k < obstacles.count; k = push_next(obstacles, k + 1u)) {
+            let found = push_nearness(obstacles, k, root, free.place);
             if found.distance < -PUSH_TOLERANCE {
                 free = PushFree(true, free.place + (PUSH_SLACK - found.distance) * found.normal);
             }
@@ -132,14 +133,14 @@ fn push_touches(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles:
     var frame = base;
     var at = root.at;
     let length_ = root.length / f32(co.segments);
-    var deep = push_deep(obstacles, STANDING_NONE, root, root.at);
+    var deep = push_deep(obstacles, root, root.at);
     for (var point = 0u; point < 2u * min(co.segments, CHAIN_MOST_SEGMENTS) && !deep; point++) {
         let i = point / 2u;
         if (point & 1u) == 0u {
             frame = frame * chain_rotation(bends[i] + chain_rest_turn(co.segments, root.curl, i));
         }
         at += 0.5 * length_ * frame[2];
-        deep = push_deep(obstacles, STANDING_NONE, root, at);
+        deep = push_deep(obstacles, root, at);
     }
     return deep;
 }
@@ -169,7 +170,7 @@ fn push_turn(co: ChainCoefficients, curl: f32, j: u32, below: mat3x3<f32>, frame
 }
 
 // No frame is kept in an array: software and small GPUs are slow at those, and walking up again costs little.
-fn push_sweep(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, moment: u32, lower: u32, posture: array<vec2<f32>, 8>) -> Pushed {
+fn push_sweep(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, lower: u32, posture: array<vec2<f32>, 8>) -> Pushed {
     let length_ = root.length / f32(co.segments);
     var result = Pushed(posture, 0u);
     var frame = base;
@@ -178,7 +179,7 @@ fn push_sweep(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: O
         frame = frame * chain_rotation(result.bends[i] + chain_rest_turn(co.segments, root.curl, i));
         for (var half = 1u; half <= 2u; half++) {
             let point = place + 0.5 * f32(half) * length_ * frame[2];
-            let free = push_free(obstacles, moment, root, point);
+            let free = push_free(obstacles, root, point);
             if !free.moved {
                 continue;
             }
@@ -240,12 +241,12 @@ fn push_lying(co: ChainCoefficients, root: Root, base: mat3x3<f32>, nearly_flat:
 }
 
 // A blade that found no way out lies down straight; `turned` is 0 if it cannot.
-fn push_down(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, moment: u32, posture: array<vec2<f32>, 8>) -> Pushed {
+fn push_down(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, posture: array<vec2<f32>, 8>) -> Pushed {
     let tip = push_tip(co, root, base, posture);
     var result = Pushed(posture, 0u);
     for (var k = 0u; k < 16u && result.turned == 0u; k++) {
         let lying = push_lying(co, root, base, k >= 8u, push_heading(k % 8u), tip);
-        if push_sweep(co, root, base, obstacles, moment, 0u, lying).turned == 0u {
+        if push_sweep(co, root, base, obstacles, 0u, lying).turned == 0u {
             result = Pushed(lying, (1u << co.segments) - 1u);
         }
     }
@@ -259,18 +260,19 @@ fn push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obs
         last = max(last, push_solid(obstacles.first + k).moment);
     }
     for (var moment = 0u; moment <= last; moment++) {
+        let present = push_at(obstacles, moment);
         var moved = 1u;
-        if push_deep(obstacles, moment, root, root.at) {
+        if push_deep(present, root, root.at) {
             result = Pushed(push_lying(co, root, base, true, vec2<f32>(1.0, 0.0), push_tip(co, root, base, result.bends)), (1u << co.segments) - 1u);
             moved = 0u;
         }
         for (var number = 0u; number < PUSH_SWEEPS && moved != 0u; number++) {
-            let swept = push_sweep(co, root, base, obstacles, moment, number / PUSH_PATIENCE % co.segments, result.bends);
+            let swept = push_sweep(co, root, base, present, number / PUSH_PATIENCE % co.segments, result.bends);
             moved = swept.turned;
             result = Pushed(swept.bends, result.turned | moved);
         }
         if moved != 0u {
-            let down = push_down(co, root, base, obstacles, moment, result.bends);
+            let down = push_down(co, root, base, present, result.bends);
             result = Pushed(down.bends, result.turned | down.turned);
         }
     }
