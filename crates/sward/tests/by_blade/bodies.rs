@@ -3,7 +3,8 @@
 use sward::state::NONE;
 use sward::world::World;
 
-use crate::field::{deepest, held, meadow, tips};
+use crate::common::world;
+use crate::field::{deepest, held, meadow, meadow_of_walker, tips};
 
 const WIND: &str = "Natural(velocity: (4, 1), turbulence: 0.25)";
 const WALKER: &str = "(name: \"walker\", shape: Ellipsoid(radii: (0.25, 0.9, 0.2)), path: Circle(centre: (0, 2), radius: 3, speed: 1.4))";
@@ -43,6 +44,45 @@ fn joints_leave_bodies() {
         println!("{name}: {count} blades held, {:.2} mm inside, {:.2} mm below the ground", 1e3 * inside, 1e3 * below);
         assert!(count > 10, "{name} touched nothing");
         assert!(inside <= most && below <= 0.0, "{name}: {inside} m inside, {below} m below the ground");
+    }
+}
+
+/// A body from a glTF file with a clip: legs that swing, a trunk above them.
+#[test]
+fn joints_leave_a_body_from_a_file() {
+    let mut world = meadow_of_walker(
+        "(name: \"w\", shape: Mesh(file: \"walker.glb\", clip: \"Walk\"), path: Circle(centre: (0, 2), radius: 3, speed: 1))",
+    );
+    let (mut deep, mut most) = ([0.0_f32; 2], 0);
+    for _ in 0..300 {
+        let now = stepped(&mut world);
+        deep = [deep[0].max(now[0]), deep[1].max(now[1])];
+        most = most.max(held(&world).len());
+    }
+    println!("{most} blades held, {:.2} mm inside, {:.2} mm below the ground", 1e3 * deep[0], 1e3 * deep[1]);
+    assert!(most > 10 && deep[0] <= 1e-3 && deep[1] <= 0.0, "{most} blades, {deep:?} m");
+}
+
+/// A field of 28 km costs what one of 280 m does: the same counters, with wind and a car.
+#[test]
+fn a_hundred_times_the_field_costs_nothing() {
+    let counters = |patches: u32, response: &str| {
+        let mut world = world(&format!(
+            "field: (patch_side: 28, patches: ({patches}, {patches})), wind: [{WIND}], interactors: [{CAR}],
+            stands: [(species: Meadow, cells: 16, response: {response}, representation: Blade())], camera: (eye: (0, 1.7, -6), target: (0, 0, 4))"
+        ));
+        let mut all = Vec::new();
+        for _ in 0..10 {
+            world.step();
+            let stand = &world.state.stands[0];
+            all.push(format!("{:?} {} {}", stand.counters, stand.awake.len(), held(&world).len()));
+        }
+        all
+    };
+    for response in ["VirtualInertia()", "Chain()"] {
+        let small = counters(10, response);
+        assert_eq!(small, counters(1000, response), "{response}");
+        assert_ne!(small, counters(1, response), "control: {response} on a field smaller than what is awake");
     }
 }
 

@@ -3,12 +3,15 @@
 use std::collections::BTreeMap;
 
 use sward::interaction::solid::nearness;
+use sward::model::Assets;
 use sward::plan::{around, weights};
 use sward::response::chain::{self, HeldBlade, Standing};
+use sward::scene::Scene;
 use sward::state::Root;
 use sward::world::World;
 
 use crate::common::world;
+use crate::glb::walker;
 
 /// A meadow that moves blade by blade, with a body.
 pub(crate) fn meadow(response: &str, wind: &str, body: &str) -> World {
@@ -16,6 +19,25 @@ pub(crate) fn meadow(response: &str, wind: &str, body: &str) -> World {
         "field: (patch_side: 8), stands: [(species: Meadow, cells: 32, response: {response}, representation: Blade(blades: 4))], wind: [{wind}], \
          interactors: [{body}], budget: (focus_distance: 12), camera: (eye: (0, 1.7, -6), target: (0, 0, 4))"
     ))
+}
+
+/// The same with a body from a glTF file: `walker.glb`, which walks on the spot of its feet.
+pub(crate) fn meadow_of_walker(body: &str) -> World {
+    let text = format!(
+        "(version: 1, field: (patch_side: 8), stands: [(species: Meadow, cells: 32, response: VirtualInertia(), representation: Blade(blades: 4))], \
+         wind: [Natural(velocity: (4, 1), turbulence: 0.25)], interactors: [{body}], budget: (focus_distance: 12), camera: (eye: (0, 1.7, -6), target: (0, 0, 4)))"
+    );
+    let scene = Scene::parse(&text, "test.ron").unwrap_or_else(|error| panic!("{error}"));
+    World::new(scene, &Walker).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The one file of [`meadow_of_walker`].
+struct Walker;
+
+impl Assets for Walker {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        if path == "walker.glb" { Ok(walker().bytes()) } else { Err(format!("{path} is missing")) }
+    }
 }
 
 /// The blades with a state: patch by patch, where they stand and how.

@@ -27,7 +27,7 @@ const UPPER: Tolerance = Tolerance { rms: 3e-3, share: 3e-4, ..BEND };
 
 /// Agreement of blades with a state, rad. A joint is turned out of a body if it is half a millimetre too deep, and then by a millimetre more: of a
 /// segment of ten centimetres that is 0.015 rad, which rounding decides.
-const HELD: Tolerance = Tolerance { p999: 0.08, rms: 6e-3, outlier: 0.12, share: 1e-3 };
+const HELD: Tolerance = Tolerance { p999: 1e-3, rms: 1e-3, outlier: 2e-2, share: 1e-3 };
 
 /// A run and what it is about.
 pub(crate) struct Run<'a> {
