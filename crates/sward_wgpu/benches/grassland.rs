@@ -78,7 +78,8 @@ fn field(gpu: &Gpu) {
             drop(studio.draw(gpu, world, CellsAt::Cpu, SIZE).expect("drawn"));
         })
     };
-    (frame(&mut small), frame(&mut large));
+    frame(&mut small);
+    frame(&mut large);
     let mut ratios = Vec::new();
     for number in 0..PAIRS {
         let frame = std::cell::RefCell::new(&mut frame);
