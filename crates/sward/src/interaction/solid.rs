@@ -62,7 +62,7 @@ pub struct Nearness {
 
 impl Nearness {
     /// Far from a solid.
-    pub const AWAY: Self = Self { distance: AWAY, normal: [0.0, 1.0, 0.0] };
+    pub const FAR: Self = Self { distance: AWAY, normal: [0.0, 1.0, 0.0] };
 }
 
 /// A solid in the world, m from the authored origin.
@@ -179,7 +179,7 @@ const AWAY: f32 = 1e3;
 pub fn nearness(solid: &SolidHead, planes: &[[f32; 4]], at: [f32; 3], standing: bool) -> Nearness {
     let beside = |axis: usize| at[axis] < solid.low[axis] || at[axis] > solid.high[axis];
     if beside(0) || beside(2) || at[1] > solid.high[1] || (at[1] < solid.low[1] && !standing) {
-        return Nearness::AWAY;
+        return Nearness::FAR;
     }
     if solid.count == 0 {
         return ellipsoid_nearness(solid, at);

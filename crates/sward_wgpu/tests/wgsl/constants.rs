@@ -62,6 +62,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("STEADY_TOP", Value(f64::from(chain::TOP))),
         ("STANDING_NONE", Value(f64::from(state::NONE))),
         ("SOLID_AWAY", Source("interaction/solid.rs", "AWAY")),
+        ("PUSH_BITS", Source(PUSH, "BITS")),
         ("PUSH_SWEEPS", Source(PUSH, "SWEEPS")),
         ("PUSH_ROUNDS", Source(PUSH, "ROUNDS")),
         ("PUSH_PATIENCE", Source(PUSH, "PATIENCE")),

@@ -106,7 +106,7 @@ impl Obstacles<'_> {
             return nearness(solid, self.planes, at, around.standing >> k & 1 == 1);
         }
         if !reaches(solid, root) || (around.moment != NONE && solid.moment != around.moment) {
-            return Nearness::AWAY;
+            return Nearness::FAR;
         }
         nearness(solid, self.planes, at, stands_on(solid, self.planes, root.at, ROOM))
     }
