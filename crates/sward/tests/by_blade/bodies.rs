@@ -63,6 +63,20 @@ fn joints_leave_a_body_from_a_file() {
     assert!(most > 10 && deep[0] <= 1e-3 && deep[1] <= 0.0, "{most} blades, {deep:?} m");
 }
 
+/// More bodies over one patch than have bits of their own: the last ones push too.
+#[test]
+fn joints_leave_the_last_of_many_bodies() {
+    let ball = |x: f32, name: usize| {
+        format!("(name: \"b{name}\", shape: Sphere(radius: 0.3), path: Circle(centre: ({x}, 3), radius: 0.5, speed: 1))")
+    };
+    let far: Vec<String> = (0..40).map(|k| ball(0.9, k)).chain([ball(6.5, 40)]).collect();
+    let ([inside, below], count) = worst(&far.join(", "), "VirtualInertia()", 60);
+    let ([..], alone) = worst(&far[0], "VirtualInertia()", 60);
+    println!("{count} blades held, {alone} by the first alone, {:.2} mm inside", 1e3 * inside);
+    assert!(count > alone, "the last body touched nothing");
+    assert!(inside <= 1e-3 && below <= 0.0, "{inside} m inside, {below} m below the ground");
+}
+
 /// A field of 28 km costs what one of 280 m does: the same counters, with wind and a car.
 #[test]
 fn a_hundred_times_the_field_costs_nothing() {
