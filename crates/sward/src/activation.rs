@@ -54,6 +54,8 @@ pub enum Sharing<'a> {
     Reached(&'a BTreeSet<PatchKey>),
     /// Those, and the awake patches nearest to a focus.
     All(&'a BTreeSet<PatchKey>),
+    /// Nobody; a patch that bodies touched stays awake for so many steps after.
+    Swinging(u32),
 }
 
 impl Circumstances<'_> {
@@ -112,6 +114,7 @@ pub fn activate(stand: &mut StandState, by: &Circumstances) {
     match by.sharing {
         Sharing::Near => share_lag_slots(stand, by),
         Sharing::Reached(reached) => share_blade_slots(stand, by, reached, reached),
+        Sharing::Swinging(settle) => count_swings(stand, by, settle),
         Sharing::All(reached) => {
             let awake = stand.awake.iter().filter(|(patch, awake)| **patch != TILE && awake.fading == 0).map(|(patch, _)| *patch);
             let wanted = awake.filter(|patch| by.distance(*patch) < by.focus_distance || reached.contains(patch)).collect();
@@ -179,6 +182,7 @@ fn put_to_sleep(stand: &mut StandState, by: &Circumstances, focused: &BTreeSet<P
                 && awake.fading == 0
                 && !focused.contains(*patch)
                 && !by.touched.contains(*patch)
+                && awake.touched == 0
                 && (awake.rest >= second || awake.wind_only)
         })
         .map(|(patch, _)| *patch)
@@ -186,7 +190,7 @@ fn put_to_sleep(stand: &mut StandState, by: &Circumstances, focused: &BTreeSet<P
     for patch in focused {
         // Rested under the focus: only the wind moves it now, and wind does not wake neighbours.
         if let Some(awake) = stand.awake.get_mut(patch) {
-            awake.wind_only |= awake.rest >= second && !by.touched.contains(patch);
+            awake.wind_only |= awake.rest >= second && awake.touched == 0 && !by.touched.contains(patch);
         }
     }
     for patch in resting {
@@ -253,6 +257,13 @@ fn make_room(stand: &mut StandState, by: &Circumstances, distance: f64) {
     }
     stand.counters.released += 1;
     if (by.in_view)(patch) { fade(stand, patch, by) } else { release(stand, patch) }
+}
+
+/// Steps until the plants of each patch are at rest.
+fn count_swings(stand: &mut StandState, by: &Circumstances, settle: u32) {
+    for (patch, awake) in &mut stand.awake {
+        awake.touched = if by.touched.contains(patch) { settle } else { awake.touched.saturating_sub(1) };
+    }
 }
 
 fn share_lag_slots(stand: &mut StandState, by: &Circumstances) {

@@ -15,6 +15,7 @@ use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
 use crate::response::chain::ChainModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
+use crate::response::oscillator::OscillatorModel;
 use crate::scene::{
     Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
@@ -217,6 +218,10 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
         let species = stand.resolve()?;
         let spacing = patch_side / f64::from(stand.cells);
         let chain = chain_model(scene, index, &species, patch_side)?;
+        let oscillator = OscillatorModel::of(&species, dt, patch_side, scene.wind.iter().any(varies)).transpose().map_err(|error| {
+            let trail = Trail::default().key("stands").index(index).key("response");
+            SceneError::in_file("", error.to_string()).named_by(trail)
+        })?;
         let plant_height = 0.5 * (species.height[0] + species.height[1]);
         let (coefficients, substeps) = Coefficients::new(&species.continuum, dt, spacing, plant_height);
         let placement = PlacementParameters {
@@ -233,8 +238,9 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
             name: stand.label(),
             growth: Growth { limits: own.map(|(limit, _)| Arc::clone(limit)).collect(), slopes: stand.slope },
             lag: LagCoefficients::new(&species.continuum, species.segments(), dt),
-            tolerance: tolerance(&species, chain.as_ref(), sources),
+            tolerance: tolerance(&species, chain.as_ref(), oscillator.as_ref(), sources),
             chain,
+            oscillator,
             species,
             cells: stand.cells,
             patch_side,
@@ -245,6 +251,11 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
         });
     }
     Ok(stands)
+}
+
+/// Whether a source of wind is not the same everywhere and for ever.
+fn varies(source: &WindSource) -> bool {
+    !matches!(source, WindSource::Uniform(_))
 }
 
 /// Most bytes of the blades of one patch: what WebGPU lets a buffer bind.
@@ -278,13 +289,16 @@ fn chain_model(scene: &Scene, index: usize, species: &SpeciesModel, patch_side: 
 /// 1e-3 in still or steady air. In gusts plants trail β_eq by their inertia for ever, slow ones by nearly the whole swing, and some
 /// cell of a patch always meets a rare gust: what gusts of four standard deviations make of the mean bend is rest there, and the
 /// patch fades into β_eq.
-fn tolerance(species: &SpeciesModel, chain: Option<&ChainModel>, sources: &[Source]) -> f32 {
+fn tolerance(species: &SpeciesModel, chain: Option<&ChainModel>, oscillator: Option<&OscillatorModel>, sources: &[Source]) -> f32 {
     let wind = crate::wind::WindField::at(sources, 0, 1.0, 1.0);
     let mean = (wind.mean[0] * wind.mean[0] + wind.mean[1] * wind.mean[1]).sqrt();
     let rare = 2.0 * (wind.gust_speed() - mean);
     let bend = |speed: f32| match chain {
         Some(chain) => chain.steady.lean(speed),
-        None => crate::wind::equilibrium([speed, 0.0], species.continuum.wind)[0],
+        None => {
+            let response = oscillator.map_or(species.continuum.wind, |oscillator| oscillator.coefficients.wind);
+            crate::wind::equilibrium([speed, 0.0], response)[0]
+        }
     };
     let lull = if mean > rare { mean - rare } else { 0.0 };
     let (up, down) = (bend(mean + rare) - bend(mean), bend(mean) - bend(lull));

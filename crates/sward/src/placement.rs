@@ -18,6 +18,7 @@ mod purpose {
     pub(super) const YAW: u32 = 5;
     pub(super) const TINT: u32 = 6;
     pub(super) const CLUMP: u32 = 7;
+    pub(super) const VARIETY: u32 = 8;
     /// The first of those about blades.
     pub(super) const BLADE: u32 = 16;
 }
@@ -100,6 +101,12 @@ pub fn plant(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> Option
 /// The plant of a cell of which the growth map says `growth`: 0 nothing grows, 255 all does, between them it is lower.
 pub fn grown(plant: Plant, growth: u8) -> Option<Plant> {
     (growth > 0).then(|| Plant { height: plant.height * (f32::from(growth) / 255.0), ..plant })
+}
+
+/// 32 chance bits of the plant in a cell: how it differs from others of its kind.
+#[inline(always)]
+pub fn variety(p: &PlacementParameters, patch: [i32; 2], cell: u32) -> u32 {
+    math::hash(p.seed, patch[0], patch[1], cell, purpose::VARIETY)
 }
 
 /// A chance number, 0 to 1, about blade number `blade` of the plant in a cell; `question` is below 16.

@@ -7,6 +7,7 @@ const PLACEMENT_HEIGHT: u32 = 4u;
 const PLACEMENT_YAW: u32 = 5u;
 const PLACEMENT_TINT: u32 = 6u;
 const PLACEMENT_CLUMP: u32 = 7u;
+const PLACEMENT_VARIETY: u32 = 8u;
 const PLACEMENT_BLADE: u32 = 16u;
 
 struct PlacementParameters {
@@ -66,6 +67,11 @@ fn placement_plant(p: PlacementParameters, patch_: vec2<i32>, cell: vec2<u32>) -
     plant.yaw = placement_random(p, patch_, index, PLACEMENT_YAW) * 6.2831855;
     plant.tint = placement_random(p, patch_, index, PLACEMENT_TINT);
     return plant;
+}
+
+// 32 chance bits of the plant in a cell.
+fn placement_variety(p: PlacementParameters, patch_: vec2<i32>, cell: u32) -> u32 {
+    return math_hash(p.seed, patch_.x, patch_.y, cell, PLACEMENT_VARIETY);
 }
 
 // A chance number about a blade of the plant in a cell.

@@ -5,13 +5,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::response::{chain, continuum};
+use crate::response::{chain, continuum, oscillator};
 use crate::state::{Awake, BodyState, Counters, NONE, PatchKey, State, Summary};
 use crate::terrain::Edits;
 use crate::world::World;
 
 /// What [`World::save`] writes and [`World::restore`] reads.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 const MAGIC: &[u8; 10] = b"SWARDSTATE";
 /// Far beyond any bend \[rad\] or velocity \[rad/s\] that the limits leave, and small enough that a step stays finite.
 const FARTHEST: f32 = 1e4;
@@ -192,16 +192,22 @@ impl World {
         let model = &self.model.stands[index];
         let mut stand = self.empty_stand(model);
         let area = (model.cells * model.cells) as usize;
-        let [level, upper, ring, state] = match &model.chain {
-            Some(chain) => {
+        let [level, level_before, upper, ring, state] = match (&model.chain, &model.oscillator) {
+            (Some(chain), _) => {
                 let [moments, states, blades] = chain::sizes(chain, model.cells);
-                [moments, blades, 0, states]
+                [moments, moments, blades, 0, states]
             }
-            None => {
+            (_, Some(oscillator)) => {
+                let [records, air] = oscillator::sizes(oscillator, model.cells);
+                [records, air, 0, 0, 0]
+            }
+            _ => {
                 let [upper, ring] = continuum::lag_planes(&model.lag).map(|planes| planes * area);
-                [4 * area, upper, ring, 0]
+                [4 * area, 4 * area, upper, ring, 0]
             }
         };
+        // The last plane of a record counts steps: any number.
+        let counts_steps = if model.oscillator.is_some() { area } else { 0 };
         let mut planes = [&saved.now, &saved.old, &saved.upper, &saved.history, &saved.virtual_states].map(|values| values.iter().copied());
         let [now, old, uppers, past, states] = &mut planes;
         let counters = saved.counters;
@@ -223,15 +229,15 @@ impl World {
             if !taken || stand.awake.insert(patch, awake).is_some() {
                 return Err(SavedError::Damaged("two patches share one place"));
             }
-            fill(&mut stand.cells.now, awake.slot, level, now)?;
-            fill(&mut stand.cells.old, awake.slot, level, old)?;
-            fill(&mut stand.cells.virtual_states, awake.slot, state, states)?;
+            fill(&mut stand.cells.now, awake.slot, [level, counts_steps], now)?;
+            fill(&mut stand.cells.old, awake.slot, [level_before, 0], old)?;
+            fill(&mut stand.cells.virtual_states, awake.slot, [state, 0], states)?;
             let ground = &mut stand.cells.ground;
             ground.resize(ground.len().max(awake.slot as usize + 1), Default::default());
-            ground[awake.slot as usize] = continuum::ground_of(&self.model.terrain, model, patch);
+            ground[awake.slot as usize] = model.ground_of(&self.model.terrain, patch);
             if awake.lag != NONE {
-                fill(&mut stand.cells.lag, awake.lag, upper, uppers)?;
-                fill(&mut stand.cells.history, awake.lag, ring, past)?;
+                fill(&mut stand.cells.lag, awake.lag, [upper, 0], uppers)?;
+                fill(&mut stand.cells.history, awake.lag, [ring, 0], past)?;
                 if let Some(chain) = &model.chain {
                     let roots = &mut stand.cells.roots;
                     roots.resize(roots.len().max(awake.lag as usize + 1), Box::default());
@@ -250,8 +256,13 @@ impl World {
     }
 }
 
-/// Puts the next values into a slot; slots below it that nobody uses are zero.
-fn fill(slots: &mut Vec<Box<[f32]>>, slot: u32, length: usize, values: &mut impl ExactSizeIterator<Item = f32>) -> Result<(), SavedError> {
+/// Puts the next `length` values into a slot, the last `free` of which may be anything; slots below it that nobody uses are zero.
+fn fill(
+    slots: &mut Vec<Box<[f32]>>,
+    slot: u32,
+    [length, free]: [usize; 2],
+    values: &mut impl ExactSizeIterator<Item = f32>,
+) -> Result<(), SavedError> {
     if values.len() < length {
         return Err(SavedError::Damaged("cells are missing"));
     }
@@ -260,8 +271,8 @@ fn fill(slots: &mut Vec<Box<[f32]>>, slot: u32, length: usize, values: &mut impl
         slots.push(vec![0.0; length].into_boxed_slice());
     }
     let mut sound = true;
-    for (place, value) in slots[slot].iter_mut().zip(values) {
-        sound &= (-FARTHEST..=FARTHEST).contains(&value);
+    for (index, (place, value)) in slots[slot].iter_mut().zip(values).enumerate() {
+        sound &= index >= length - free || (-FARTHEST..=FARTHEST).contains(&value);
         *place = value;
     }
     if sound { Ok(()) } else { Err(SavedError::Damaged("a cell is out of bounds")) }

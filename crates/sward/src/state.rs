@@ -121,7 +121,7 @@ pub struct Awake {
     pub wind_only: bool,
     /// Blades with a state of their own, as last heard; more than any number until then.
     pub held: u32,
-    /// Steps for which what is heard of them may be older than the last touch.
+    /// Steps for which what is heard of them may be older than the last touch; of plants that swing by themselves, until all have come to rest.
     pub touched: u32,
     /// Its blades are handed back, settled or not: their place is needed, or is farther off than others.
     pub handing: bool,
@@ -138,9 +138,10 @@ impl Default for Awake {
 /// with a state.
 #[derive(Clone, Debug, Default)]
 pub struct Cells {
-    /// Time level n, per slot; 4·cells² values or empty. Blade by blade: the moments of virtual blades \[N·m\], x and y of each segment.
+    /// Time level n, per slot; 4·cells² values or empty. Of plants that swing by themselves: [`crate::response::oscillator::Record`]s. Blade by blade: the moments of virtual blades \[N·m\], x and y of each segment.
     pub now: Vec<Box<[f32]>>,
-    /// Time level n−1 (before the step) or n+1 (after it), likewise.
+    /// Time level n−1 (before the step) or n+1 (after it), likewise. Of plants that swing by themselves: their tilt in the wind
+    /// ([`crate::response::oscillator::AirStep`]).
     pub old: Vec<Box<[f32]>>,
     /// Upper segments per lag slot: β_1x, β_1z, β_2x, … each cells². Blade by blade, per lag slot: of each segment ψx, ψy, ωx, ωy; of each ψx, ψy a step
     /// before; hold and the hold before ([`crate::response::chain::HeldBlade`]); a value for every blade of the patch.
@@ -173,6 +174,9 @@ pub struct Ground {
     pub steepest: f32,
     /// Height where `values` is empty, m.
     pub level: f32,
+    /// How far the plant of each cell has grown, 255 of it at most: see [`crate::growth::Growth::map`]. Empty where all have, and of stands that
+    /// move as a whole.
+    pub grown: Box<[u8]>,
 }
 
 impl Ground {

@@ -4,11 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::activation::{BAND, Circumstances, Sharing, activate, keep};
 use crate::interaction::solid::{Solids, WorldSolid};
-use crate::interaction::{Footprint, Grid, Piece, Pose, Station, pose_on_path, stand_on, station, swept, swept_between};
+use crate::interaction::{Contact, Footprint, Grid, Piece, Pose, Station, pose_on_path, stand_on, station, swept, swept_between};
 use crate::lanes::Lanes;
 use crate::model::{Assets, Blower, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, around, patches_under, weights};
 use crate::response::chain::{ChainModel, Standing};
+use crate::response::oscillator::{self, Air, OscillatorModel, Own, Record};
 use crate::response::{Stage, chain, continuum};
 use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
 use crate::state::{BodyState, NONE, PatchKey, StandState, State, Summary, TILE};
@@ -155,6 +156,10 @@ impl World {
                 summaries.push(chain::step_stand(terrain, stand, chain, plan_of, cells, self.model.dt as f32, ended));
                 continue;
             }
+            if let Some(oscillator) = &stand.oscillator {
+                summaries.push(oscillator::step_stand(terrain, stand, oscillator, plan_of, cells, plan.step, ended));
+                continue;
+            }
             summaries.push(continuum::step(terrain, stand, plan_of, cells, self.lanes, ended));
             continuum::lags(stand, plan_of, cells, plan.step, self.lanes);
             ended(Stage::Lags);
@@ -256,6 +261,9 @@ impl World {
             let local = [0, 1].map(|axis: usize| (ground[axis] - f64::from(patch[axis]) * model.patch_side) as f32);
             return Some(self.blade_bend(model, chain, state, patch, local));
         }
+        if let Some(oscillator) = &model.oscillator {
+            return Some(self.swing(model, oscillator, state, patch, [i as u32, j as u32]));
+        }
         match state.awake.get(&patch).or_else(|| state.awake.get(&TILE)).and_then(|awake| state.cells.now.get(awake.slot as usize)) {
             Some(cells) => {
                 let at = (j * side + i) as usize;
@@ -276,6 +284,28 @@ impl World {
         let mut leans = [[0.0; 2]; chain::MOST_SEGMENTS];
         chain::leans(chain, &chain::UPRIGHT, [1.0, 0.0], [0.0; 2], &bends, &mut leans);
         leans[chain.coefficients.segments as usize - 1]
+    }
+
+    /// How far the plant of a cell leans that swings by itself; in the wind of the cell's middle where none grows.
+    fn swing(&self, stand: &StandModel, oscillator: &OscillatorModel, state: &StandState, patch: PatchKey, cell: [u32; 2]) -> [f32; 2] {
+        let (co, wind, cells) = (&oscillator.coefficients, self.wind(stand), &state.cells);
+        let phases = wind.patch_phases(patch, stand.cells / continuum::NODE_CELLS);
+        let (around, weights) = (around(state, patch, |awake| awake.slot), weights(state, patch));
+        let air = Air { co, levels: &cells.old, around, weights, patch_side: stand.patch_side as f32 };
+        let middle = cell.map(|at| (at as f32 + 0.5) * stand.placement.spacing);
+        let plant = crate::placement::plant(&stand.placement, patch, cell);
+        let root = plant.map_or(middle, |plant| plant.root);
+        let [x, z] = air.at(root, 0.0, || wind.velocity_local(&phases, root));
+        let index = cell[1] * stand.cells + cell[0];
+        let slot = state.awake.get(&patch).map(|awake| awake.slot as usize);
+        let found = slot.and_then(|slot| cells.now.get(slot).zip(cells.ground.get(slot))).zip(plant);
+        let [dx, dz] = found.map_or([0.0; 2], |((planes, ground), plant)| {
+            let grown = ground.grown.get(index as usize).map_or(Some(plant), |growth| crate::placement::grown(plant, *growth));
+            let height = grown.map_or(0.0, |plant| plant.height);
+            let own = Own::of(co, crate::placement::variety(&stand.placement, patch, index), height);
+            Record::load(planes, planes.len() / 4, index as usize).at(co, &own, self.state.step as u32, 0.0)
+        });
+        oscillator::limited([x + dx, z + dz])
     }
 
     /// A fingerprint of the state's cells: see [`State::hash`].
@@ -399,8 +429,14 @@ impl World {
         let grid = Grid { spacing: stand.spacing, plant_height: stand.coefficients.plant_height };
         let mut footprints = Vec::new();
         for (index, (body, state)) in self.model.bodies.iter().zip(&self.state.bodies).enumerate() {
-            let (Some(before), Some(now)) = (&state.before, &state.pose) else { continue };
             let (dt, body_index) = (self.model.dt, index as u32);
+            if stand.oscillator.is_some()
+                && let Some((before, last, share)) = self.leaving(index)
+            {
+                let found = body.pieces.iter().filter_map(|piece| swept(piece, &before, &last, share * dt, &grid, body_index));
+                footprints.extend(found.map(|print| Footprint { contact: Contact { stays: share as f32, ..print.contact }, ..print }));
+            }
+            let (Some(before), Some(now)) = (&state.before, &state.pose) else { continue };
             if body.is_animated() {
                 let pairs = moving[index].iter();
                 footprints.extend(pairs.filter_map(|[a, b]| swept_between([a, b], before, now, dt, &grid, body_index)));
@@ -411,11 +447,25 @@ impl World {
         footprints
     }
 
+    /// Where a body that vanishes within the coming step is before it and at its last moment, and the share of the step for which it is there.
+    fn leaving(&self, index: usize) -> Option<(Pose, Pose, f64)> {
+        let (dt, until) = (self.model.dt, self.scene.interactors[index].until);
+        let share = until / dt - self.state.step as f64;
+        if share <= 0.0 || self.state.bodies[index].pose.is_some() {
+            return None;
+        }
+        let share = if share < 1.0 { share } else { 1.0 };
+        let before = self.pose(index, self.state.step as f64 * dt)?;
+        // The last number below it.
+        Some((before, self.pose(index, f64::from_bits(until.to_bits() - 1))?, share))
+    }
+
     fn activate(&mut self, index: usize, footprints: &[Footprint], solids: &[WorldSolid], camera: &View) {
         let stand = &self.model.stands[index];
         let length = f64::from(stand.species.height[1]);
         let reached: BTreeSet<PatchKey> = solids.iter().flat_map(|solid| patches_within(solid, length, self.model.patch_side)).collect();
-        let margin = BAND as i64 + 1;
+        // What swings by itself does not push its neighbours.
+        let margin = if stand.oscillator.is_some() { 0 } else { BAND as i64 + 1 };
         let side = i64::from(stand.cells);
         let mut touched = reached.clone();
         for footprint in footprints.iter().filter(|footprint| reaches(&self.model, footprint, stand)) {
@@ -441,7 +491,7 @@ impl World {
             tolerance: stand.tolerance,
             rate: f64::from(self.model.rate),
             sharing: match &stand.chain {
-                None => Sharing::Near,
+                None => stand.oscillator.as_ref().map_or(Sharing::Near, |oscillator| Sharing::Swinging(oscillator.coefficients.settle)),
                 Some(chain) if chain.all => Sharing::All(&reached),
                 Some(_) => Sharing::Reached(&reached),
             },
@@ -466,7 +516,7 @@ impl World {
         let mut reached: BTreeMap<PatchKey, Vec<ContactPair>> = BTreeMap::new();
         for footprint in footprints {
             let contact = plan.contacts.len() as u32;
-            plan.contacts.push(crate::interaction::Contact { edge_first: plan.edges.len() as u32, ..footprint.contact });
+            plan.contacts.push(Contact { edge_first: plan.edges.len() as u32, ..footprint.contact });
             plan.edges.extend(&footprint.edges);
             for patch in patches_under(footprint, side, 0) {
                 let corner = [0, 1].map(|axis| (footprint.corner[axis] - i64::from(patch[axis]) * side) as i32);
@@ -540,7 +590,7 @@ fn reaches(model: &Model, footprint: &Footprint, stand: &StandModel) -> bool {
     let ground = model.terrain.height_at(centre[0], centre[1]);
     let lowest = f64::from(contact.end[2].min(contact.start[2]) - contact.rise);
     let reach = 0.5 * stand.spacing * f64::from(contact.size[0].max(contact.size[1]));
-    lowest - ground < f64::from(stand.coefficients.plant_height) + reach
+    lowest - ground < stand.reach() + reach
 }
 
 /// Patches that can keep upper segments: as many as fit a disc of the lag distance and half a patch around one focus. Or that can keep
@@ -549,7 +599,7 @@ fn lag_capacity(scene: &Scene, stand: &StandModel) -> u32 {
     if let Some(chain) = &stand.chain {
         return (scene.budget.stateful_blades / chain.blades_of_patch(stand.cells).max(1)).min(scene.budget.patches);
     }
-    if stand.lag.segments < 2 {
+    if stand.lag.segments < 2 || stand.oscillator.is_some() {
         return 0;
     }
     let radius = f64::from(scene.budget.lag_distance / scene.field.patch_side) + 0.75;

@@ -59,7 +59,7 @@ impl KeptPast {
                     if kept.precision != Precision::Full {
                         *kept = CellBuffers::new(gpu, stand, Precision::Full);
                     }
-                    kept.reserve(gpu, state, stand.chain.is_some() || stand.is_level(&world.model.terrain))?;
+                    kept.reserve(gpu, state, !stand.stores_ground(&world.model.terrain))?;
                     kept.upload(gpu, state);
                 }
                 CellsAt::Gpu(step) => {

@@ -170,7 +170,7 @@ impl Studio {
     fn ready(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>, behind: f64, size: [u32; 2], then: bool) -> Result<Ready, GpuError> {
         if matches!(cells, CellsAt::Cpu) {
             for ((buffers, state), stand) in self.uploaded.iter_mut().zip(&world.state.stands).zip(&world.model.stands) {
-                buffers.reserve(gpu, state, stand.chain.is_some() || stand.is_level(&world.model.terrain))?;
+                buffers.reserve(gpu, state, !stand.stores_ground(&world.model.terrain))?;
                 buffers.upload(gpu, state);
             }
         }

@@ -60,8 +60,8 @@ pub struct Contact {
     pub body: u32,
     /// Plants taller than this fraction of themselves are pushed at most there: 0.6 · plant height, m.
     pub highest: f32,
-    /// Not used; keeps the size a multiple of 16 bytes.
-    pub unused: f32,
+    /// Share of the step during which the body is there: less than 1 only of one that vanishes within it.
+    pub stays: f32,
 }
 
 /// What a piece asks of a plant in one cell.
@@ -162,7 +162,7 @@ fn in_radii(contact: &Contact, reference: [f32; 4], at: [f32; 2]) -> [f32; 2] {
 
 /// Lowest underside over `at` during the step; very high where there is none. A plane is lowest at one end of the step, an ellipsoid
 /// where it passes nearest: taken at the ends only, a fast ball would skip the plants between.
-fn underside(contact: &Contact, at: [f32; 2]) -> f32 {
+pub(crate) fn underside(contact: &Contact, at: [f32; 2]) -> f32 {
     if contact.kind == 0 {
         let before = plane(contact.start, [contact.form[0], contact.form[1]], at);
         return math::lower(before, plane(contact.end, [contact.form[2], contact.form[3]], at));

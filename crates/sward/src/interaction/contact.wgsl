@@ -25,7 +25,7 @@ struct Contact {
     rise: f32,
     body: u32,
     highest: f32,
-    unused: f32,
+    stays: f32,
 }
 
 struct ContactHit {

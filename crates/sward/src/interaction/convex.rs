@@ -151,7 +151,7 @@ pub fn swept_between(pieces: [&Piece; 2], start: &Pose, end: &Pose, dt: f64, gri
         rise,
         body,
         highest: 0.6 * grid.plant_height,
-        unused: 0.0,
+        stays: 1.0,
     };
     Some(Footprint { corner, contact, edges })
 }

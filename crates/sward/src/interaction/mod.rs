@@ -13,6 +13,7 @@ pub mod solid;
 /// Contact of one cell in WGSL; the host declares `contact_edge(index: u32) -> ContactEdge`. Needs `math` before it.
 pub const WGSL: &str = include_str!("contact.wgsl");
 
+pub(crate) use contact::underside;
 pub use contact::{ABREAST, Contact, ContactEdge, Hit, contact_at, contacts_of_row};
 pub use convex::{Footprint, Grid, swept, swept_between};
 pub use figure::FigureBody;

@@ -51,6 +51,8 @@ struct Grown {
     blade: Blade,
     /// Root, m from the corner of its patch.
     local: [f32; 2],
+    /// Height of its plant, whole, m.
+    tall: f32,
     /// Its place among the blades of its patch.
     index: u32,
     stance: Stance,
@@ -159,7 +161,7 @@ impl Blades<'_> {
         };
         let stance = Stance { heading: [cosine, sine], lean: most_lean * random(7), curl: most_curl * random(8) };
         let index = (which * prepare.placement.cells + cell[1]) * prepare.placement.cells + cell[0];
-        Some(Grown { blade, local, index, stance, away, level })
+        Some(Grown { blade, local, tall: placed.height, index, stance, away, level })
     }
 
     /// The points of a strip, root first, m relative to the frame origin.
@@ -167,7 +169,7 @@ impl Blades<'_> {
         let segments = (self.preparing.uniform.segments as usize).min(8);
         let mut bends = [[0.0; 2]; 8];
         let Stance { heading, lean, curl } = grown.stance;
-        let who = Who { local: grown.local, index: grown.index, heading, yaw: grown.blade.yaw, lean, curl };
+        let who = Who { local: grown.local, tall: grown.tall, index: grown.index, heading, yaw: grown.blade.yaw, lean, curl };
         self.preparing.bends(draw, phases, &who, &mut bends[..segments]);
         let (pieces, coarse) = (self.uniform.pieces[level], self.uniform.pieces[(level + 1).min(2)]);
         // Where the next number of pieces begins, the strip has its shape already: so nothing pops.

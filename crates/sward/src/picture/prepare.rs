@@ -13,6 +13,7 @@ use crate::math;
 use crate::placement::{self, PlacementParameters};
 use crate::response::StandModel;
 use crate::response::chain::{self, ChainModel, HeldBlade, Standing};
+use crate::response::oscillator::{self, Air, OscillatorCoefficients, Own, Record};
 use crate::shading::clump::{VARIANTS, first_layer};
 use crate::shading::look::Look;
 use crate::state::{Cells, NONE};
@@ -56,6 +57,10 @@ pub struct PrepareUniform {
     pub substeps: f32,
     /// Gains of `billboard_earlier`.
     pub lag: [f32; 4],
+    /// Steps done when the state was so; wraps.
+    pub step: u32,
+    /// Keeps the next at a multiple of 16 bytes.
+    pub unused: [u32; 3],
     /// Of the picture before, for the plants of this one: [`super::identity::Identity::of_stand`]; all 0 in a picture's own preparing.
     pub identity: [u32; 4],
 }
@@ -83,6 +88,8 @@ impl PrepareUniform {
             behind: behind as f32,
             substeps: stand.substeps as f32,
             lag: stand.lag.past(),
+            step: world.state.step as u32,
+            unused: [0; 3],
             identity: [0; 4],
         }
     }
@@ -109,6 +116,8 @@ pub struct Preparing<'a> {
 pub(super) struct Who {
     /// Its root, m from the corner of its patch.
     pub(super) local: [f32; 2],
+    /// Height of its plant as it stands there, whole, m.
+    pub(super) tall: f32,
     /// Its place among the blades of the patch: see [`crate::response::chain::planting::roots`].
     pub(super) index: u32,
     /// Unit ground vector along which it leans by itself.
@@ -210,6 +219,9 @@ impl Preparing<'_> {
         if let Some(chain) = &self.stand.chain {
             return self.chain_bends(chain, draw, phases, who, bends);
         }
+        if let Some(oscillator) = &self.stand.oscillator {
+            return self.swings(&oscillator.coefficients, draw, phases, who, bends);
+        }
         let (prepare, root) = (&self.uniform, who.local);
         let rest = self.rest_at_plant(phases, root);
         // Where no upper segments are kept, all show what the lowest does.
@@ -254,6 +266,26 @@ impl Preparing<'_> {
         chain::leans(chain, &base, who.heading, [who.lean, who.curl], &shown, bends);
     }
 
+    /// The same where every plant swings by itself: a function of how bodies left it, and of time.
+    fn swings(&self, co: &OscillatorCoefficients, draw: &PatchDraw, phases: &Phases, who: &Who, bends: &mut [[f32; 2]]) {
+        let (prepare, placement) = (&self.uniform, &self.uniform.placement);
+        let (area, patch_side) = (placement.cells * placement.cells, placement.spacing * placement.cells as f32);
+        let air = Air { co, levels: &self.cells.old, around: draw.slots, weights: draw.weights, patch_side };
+        let [x, z] = air.at(who.local, prepare.behind, || self.wind.velocity_local(phases, who.local));
+        let cell = who.index % area;
+        // Cells that a GPU holds and that were not brought here: at rest.
+        let planes = self.cells.now.get(draw.slots[4] as usize).filter(|planes| planes.len() == 4 * area as usize);
+        let [dx, dz] = planes.map_or([0.0; 2], |planes| {
+            let own = Own::of(co, placement::variety(placement, draw.patch, cell), who.tall);
+            Record::load(planes, area as usize, cell as usize).at(co, &own, prepare.step, prepare.behind)
+        });
+        let bend = oscillator::limited([x + dx, z + dz]);
+        let segments = bends.len() as u32;
+        for (segment, out) in bends.iter_mut().enumerate() {
+            *out = oscillator::curved(co.curve, bend, segment as u32, segments);
+        }
+    }
+
     /// The state of a blade of a lag slot, if it has one.
     fn held(&self, chain: &ChainModel, lag: u32, index: u32) -> Option<HeldBlade> {
         let values = self.cells.lag.get(lag as usize).filter(|values| lag != NONE && !values.is_empty())?;
@@ -295,7 +327,7 @@ impl Preparing<'_> {
         let height = placed.height * (0.35 + (1.0 - 0.35) * stay);
         let straight = if prepare.plain > 0.0 { math::smoothstep(0.75 * prepare.plain, 0.97 * prepare.plain, away) } else { 0.0 };
         let index = cell[1] * prepare.placement.cells + cell[0];
-        let who = Who { local: placed.root, index, heading: [1.0, 0.0], yaw: 0.0, lean: 0.0, curl: 0.0 };
+        let who = Who { local: placed.root, tall: placed.height, index, heading: [1.0, 0.0], yaw: 0.0, lean: 0.0, curl: 0.0 };
         self.spine(draw, phases, &who, [ground, height, straight], joints);
         let chance = (placed.tint * 61.7).fract();
         let picture = prepare.layer + ((chance * VARIANTS as f32) as u32).min(VARIANTS - 1);

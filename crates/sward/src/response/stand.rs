@@ -1,11 +1,12 @@
 //! What a response reads of a stand: the compiled half of what an author wrote about it.
 
 use super::chain::ChainModel;
-use super::continuum::{Coefficients, LagCoefficients};
+use super::continuum::{self, Coefficients, LagCoefficients};
+use super::oscillator::{self, OscillatorModel};
 use crate::growth::Growth;
 use crate::placement::PlacementParameters;
 use crate::scene::SpeciesModel;
-use crate::state::PatchKey;
+use crate::state::{Ground, PatchKey};
 use crate::terrain::Terrain;
 
 /// A stand, compiled.
@@ -35,6 +36,8 @@ pub struct StandModel {
     pub tolerance: f32,
     /// What moves it where it moves blade by blade.
     pub chain: Option<ChainModel>,
+    /// What moves it where every plant swings by itself.
+    pub oscillator: Option<OscillatorModel>,
 }
 
 impl StandModel {
@@ -45,7 +48,30 @@ impl StandModel {
 
     /// Whether wind moves it at all.
     pub fn feels_wind(&self) -> bool {
-        self.chain.as_ref().map_or(self.species.continuum.wind, |chain| chain.coefficients.drag) > 0.0
+        match (&self.chain, &self.oscillator) {
+            (Some(chain), _) => chain.coefficients.drag > 0.0,
+            (_, Some(oscillator)) => oscillator.coefficients.wind > 0.0,
+            _ => self.species.continuum.wind > 0.0,
+        }
+    }
+
+    /// The ground under the cells of a patch, as its response needs it.
+    pub fn ground_of(&self, terrain: &Terrain, patch: PatchKey) -> Ground {
+        if self.oscillator.is_some() { oscillator::ground_of(terrain, self, patch) } else { continuum::ground_of(terrain, self, patch) }
+    }
+
+    /// Height that no plant exceeds, m, where they count one by one; else their mean height.
+    pub fn reach(&self) -> f64 {
+        if self.oscillator.is_some() { f64::from(self.species.height[1]) } else { f64::from(self.coefficients.plant_height) }
+    }
+
+    /// Whether the ground under its cells is stored.
+    pub fn stores_ground(&self, terrain: &Terrain) -> bool {
+        match (&self.chain, &self.oscillator) {
+            (Some(_), _) => false,
+            (_, Some(_)) => !terrain.is_flat(),
+            _ => !self.is_level(terrain),
+        }
     }
 
     /// All patches have the same level ground, with plants in every cell: then none is stored.

@@ -5,6 +5,7 @@ use super::blade::Blade;
 use super::chain::{BladeByBlade, Chain, DragPower};
 use super::continuum::{Continuum, Lag};
 use super::error::{Problem, SceneError, Trail};
+use super::oscillator::{Oscillator, Swinging};
 use super::stand::{Representation, Response, Species, Stand};
 
 /// A stand with every default filled in: what the simulation and the picture work with.
@@ -18,6 +19,8 @@ pub struct SpeciesModel {
     pub continuum: Continuum,
     /// How they move where every blade does by itself.
     pub chain: Option<BladeByBlade>,
+    /// How they swing where every plant does by itself.
+    pub oscillator: Option<Swinging>,
     /// How the plants look as billboards.
     pub billboard: Billboard,
     /// How they look as blades, where that is what they are drawn as.
@@ -57,6 +60,12 @@ impl Stand {
                     frequency: overrides.frequency,
                     all: matches!(response, Response::Chain(_)),
                 }),
+                _ => None,
+            },
+            oscillator: match &self.response {
+                Some(Response::Oscillator(overrides)) => {
+                    Some(self.species.oscillator().tuned(overrides, &trail.clone().key("response"))?)
+                }
                 _ => None,
             },
             billboard: match &self.representation {
@@ -109,6 +118,19 @@ impl Species {
             Self::Tussock => (1.6e-3, 9.6e-4, 2e-3, 0.20, 5e-3),
         };
         Chain { rigidity_root, rigidity_tip, mass, damping, drag, drag_power: DragPower::FourThirds, virtual_spacing: 0.7 }
+    }
+
+    /// A typical plant of the species, by itself: stands damp each other, so the continuum's ratios are higher; trampled turf creeps.
+    #[must_use]
+    pub fn oscillator(&self) -> Oscillator {
+        // Frequency [Hz], damping ratio, wind [m/s² at 1 m/s]
+        let (frequency, damping, wind) = match self {
+            Self::Lawn => (5.0, 5.0, 0.78),
+            Self::Meadow => (1.7, 0.18, 1.61),
+            Self::Reed => (1.05, 0.12, 2.01),
+            Self::Tussock => (3.5, 0.30, 2.06),
+        };
+        Oscillator { frequency, damping, wind, ..Oscillator::default() }
     }
 
     /// How the species looks as blades: the billboards' colours, a little lighter, since light and shade are not painted on.

@@ -4,6 +4,7 @@ use super::billboard::BillboardOverrides;
 use super::blade::BladeOverrides;
 use super::chain::ChainOverrides;
 use super::continuum::ContinuumOverrides;
+use super::oscillator::OscillatorOverrides;
 use super::parameters::{choices, parameters};
 
 choices! {
@@ -25,6 +26,8 @@ choices! {
     pub enum Response {
         /// Bending spreads through the stand as a wave.
         Continuum(ContinuumOverrides),
+        /// Every plant swings by itself, pushed aside by bodies: exact at any frame rate, and free of cost until touched.
+        Oscillator(OscillatorOverrides),
         /// Every blade near the camera or a body is a chain of segments on springs, with a state of its own.
         Chain(ChainOverrides),
         /// As `Chain`, but only blades that a body has touched have a state; virtual blades feel the wind for all others.

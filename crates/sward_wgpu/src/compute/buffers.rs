@@ -2,11 +2,12 @@
 
 use sward::response::StandModel;
 use sward::response::continuum::half;
-use sward::response::{chain, continuum};
+use sward::response::{chain, continuum, oscillator};
 use sward::scene::Precision;
 use sward::state::{Awake, Cells, NONE, Root, StandState};
 
 use super::blades::ChainUniform;
+use super::swings::SwingUniform;
 use crate::gpu::{Gpu, GpuError};
 
 /// Two time levels, upper segments, ground and wind nodes of one stand.
@@ -25,7 +26,7 @@ pub struct CellBuffers {
     pub steepest: Vec<f32>,
     /// Time level n; 4·cells² words a slot, or 2·cells² at half precision.
     pub now: wgpu::Buffer,
-    /// Time level n−1.
+    /// Time level n−1. Where plants swing by themselves `now` holds records, and this one their tilt in the wind.
     pub old: wgpu::Buffer,
     /// Slope x, slope z, height; 3·cells² values a slot.
     pub ground: wgpu::Buffer,
@@ -39,8 +40,36 @@ pub struct CellBuffers {
     pub states: wgpu::Buffer,
     /// Where those stand.
     pub roots: wgpu::Buffer,
-    /// `ChainStand` of `blades.wgsl` for pictures.
-    pub numbers: Option<wgpu::Buffer>,
+    /// How far the plant of each cell has grown, four to a word; where something limits a stand of plants that swing by themselves.
+    pub grown: wgpu::Buffer,
+    /// What pictures read of the response, but for the continuum.
+    pub numbers: Option<Numbers>,
+}
+
+/// What pictures read of a response.
+pub enum Numbers {
+    /// `ChainStand` of `chain_stand.wgsl`.
+    Chain(wgpu::Buffer),
+    /// `SwingStand` of `swing_bends.wgsl`.
+    Swing(wgpu::Buffer),
+}
+
+impl Numbers {
+    fn of(gpu: &Gpu, stand: &StandModel) -> Option<Self> {
+        let made = |bytes: &[u8]| gpu.filled("numbers of the response", bytes, wgpu::BufferUsages::UNIFORM);
+        if let Some(chain) = &stand.chain {
+            return Some(Self::Chain(made(bytemuck::bytes_of(&ChainUniform::new(stand, chain, 0.0, [0, 0])))));
+        }
+        let oscillator = stand.oscillator.as_ref()?;
+        Some(Self::Swing(made(bytemuck::bytes_of(&SwingUniform::new(stand, oscillator)))))
+    }
+
+    /// The uniform.
+    pub fn buffer(&self) -> &wgpu::Buffer {
+        match self {
+            Self::Chain(buffer) | Self::Swing(buffer) => buffer,
+        }
+    }
 }
 
 /// Words of 32 bits that each buffer takes: of a slot, or of a lag slot.
@@ -48,10 +77,13 @@ pub struct CellBuffers {
 struct Sizes {
     /// One time level at full precision.
     level: u64,
+    /// The level before.
+    before: u64,
     nodes: u64,
     states: u64,
     /// Ground; 0 where none is ever stored.
     ground: u64,
+    grown: u64,
     /// Of a lag slot from here on.
     upper: u64,
     ring: u64,
@@ -64,11 +96,16 @@ impl Sizes {
         if let Some(chain) = &stand.chain {
             let [level, states, upper] = chain::sizes(chain, stand.cells).map(|words| words as u64);
             let roots = u64::from(chain.blades_of_patch(stand.cells)) * (size_of::<Root>() / 4) as u64;
-            return Self { level, nodes: 0, states, ground: 0, upper, ring: 0, roots };
+            return Self { level, before: level, nodes: 0, states, ground: 0, grown: 0, upper, ring: 0, roots };
+        }
+        if let Some(oscillator) = &stand.oscillator {
+            let [level, before] = oscillator::sizes(oscillator, stand.cells).map(|words| words as u64);
+            let grown = if stand.growth.is_free() { 0 } else { area / 4 };
+            return Self { level, before, nodes: 0, states: 0, ground: 3 * area, grown, upper: 0, ring: 0, roots: 0 };
         }
         let nodes = u64::from(stand.cells / 2 + 3) * u64::from(stand.cells / 2 + 3) * 2;
         let [upper, ring] = continuum::lag_planes(&stand.lag).map(|planes| planes as u64 * area);
-        Self { level: 4 * area, nodes, states: 0, ground: 3 * area, upper, ring, roots: 0 }
+        Self { level: 4 * area, before: 4 * area, nodes, states: 0, ground: 3 * area, grown: 0, upper, ring, roots: 0 }
     }
 }
 
@@ -91,8 +128,8 @@ impl CellBuffers {
     pub fn new(gpu: &Gpu, stand: &StandModel, precision: Precision) -> Self {
         let empty = || storage(gpu, "empty", 0);
         Self {
-            // Moments are never halved.
-            precision: if stand.chain.is_some() { Precision::Full } else { precision },
+            // Moments and records are never halved.
+            precision: if stand.chain.is_some() || stand.oscillator.is_some() { Precision::Full } else { precision },
             cells: stand.cells,
             sizes: Sizes::of(stand),
             slots: 0,
@@ -107,10 +144,8 @@ impl CellBuffers {
             past: empty(),
             states: empty(),
             roots: empty(),
-            numbers: stand.chain.as_ref().map(|chain| {
-                let numbers = ChainUniform::new(stand, chain, 0.0, [0, 0]);
-                gpu.filled("blades", bytemuck::bytes_of(&numbers), wgpu::BufferUsages::UNIFORM)
-            }),
+            grown: empty(),
+            numbers: Numbers::of(gpu, stand),
         }
     }
 
@@ -136,6 +171,17 @@ impl CellBuffers {
     /// Words of a time level of a slot.
     fn level(&self) -> u64 {
         if self.precision == Precision::Half { self.sizes.level / 2 } else { self.sizes.level }
+    }
+
+    /// Words of the time level before.
+    fn level_before(&self) -> u64 {
+        if self.precision == Precision::Half { self.sizes.before / 2 } else { self.sizes.before }
+    }
+
+    /// Zeroes the cells of a slot.
+    pub fn clear(&self, encoder: &mut wgpu::CommandEncoder, slot: u32) {
+        let bytes = 4 * self.level();
+        encoder.clear_buffer(&self.now, u64::from(slot) * bytes, Some(bytes));
     }
 
     /// Makes room for the slots that `state` uses, keeping what is stored: doubled as they grow, but never more than the budget allows.
@@ -178,12 +224,13 @@ impl CellBuffers {
     }
 
     fn grow(&mut self, gpu: &Gpu, slots: u32, lag_slots: u32, level: bool) -> Result<(), GpuError> {
-        let (sizes, stored) = (self.sizes, self.level());
+        let (sizes, stored, stored_before) = (self.sizes, self.level(), self.level_before());
         let ground_slots = if level { self.ground_slots } else { slots };
         let (both, ground, lags) = ([self.slots, slots], [self.ground_slots, ground_slots], [self.lag_slots, lag_slots]);
         let mut growing = vec![
             (&mut self.now, "cells now", both, stored),
-            (&mut self.old, "cells before", both, stored),
+            (&mut self.old, "cells before", both, stored_before),
+            (&mut self.grown, "growth", both, sizes.grown),
             (&mut self.nodes, "rest at wind nodes", both, sizes.nodes),
             (&mut self.states, "virtual blades", both, sizes.states),
             (&mut self.ground, "ground under cells", ground, sizes.ground),
@@ -253,6 +300,9 @@ impl CellBuffers {
                 let bytes = bytemuck::cast_slice(&planes);
                 gpu.queue.write_buffer(&self.ground, u64::from(awake.slot) * bytes.len() as u64, bytes);
             }
+            if let Some(ground) = state.cells.ground.get(slot) {
+                self.grow_plants(gpu, awake.slot, &ground.grown);
+            }
             write(&self.states, state.cells.virtual_states.get(slot), awake.slot);
             write(&self.upper, state.cells.lag.get(lag), awake.lag);
             if let Some(roots) = state.cells.roots.get(lag).filter(|roots| awake.lag != NONE && !roots.is_empty()) {
@@ -263,6 +313,15 @@ impl CellBuffers {
                 *steepest = ground.steepest;
             }
         }
+    }
+
+    /// Says how far the plants of a slot have grown; all of them where `grown` is empty.
+    pub fn grow_plants(&self, gpu: &Gpu, slot: u32, grown: &[u8]) {
+        if self.sizes.grown == 0 {
+            return;
+        }
+        let whole = vec![u8::MAX; self.area() as usize];
+        gpu.queue.write_buffer(&self.grown, u64::from(slot) * 4 * self.sizes.grown, if grown.is_empty() { &whole } else { grown });
     }
 
     /// Says where the blades of a lag slot stand.
@@ -284,15 +343,16 @@ impl CellBuffers {
         let read = |buffer: &wgpu::Buffer, slots: u32, floats: u64| -> Result<Vec<Box<[f32]>>, GpuError> {
             Ok(split(super::readback::read(gpu, buffer, u64::from(slots) * floats * 4)?, floats))
         };
-        let levels = |buffer: &wgpu::Buffer| -> Result<Vec<Box<[f32]>>, GpuError> {
+        let levels = |buffer: &wgpu::Buffer, level: u64| -> Result<Vec<Box<[f32]>>, GpuError> {
             if self.precision == Precision::Full {
-                return read(buffer, self.slots, self.sizes.level);
+                return read(buffer, self.slots, level);
             }
             let packed: Vec<u32> = super::readback::read(gpu, buffer, u64::from(self.slots) * 2 * area * 4)?;
             Ok(packed.chunks_exact(2 * area as usize).map(|words| half::unpack_patch(words).into()).collect())
         };
-        cells.now = levels(&self.now)?;
-        cells.old = levels(&self.old)?;
+        cells.now = levels(&self.now, self.sizes.level)?;
+        cells.old = levels(&self.old, self.sizes.before)?;
+        cells.old.resize(cells.now.len(), Box::default());
         cells.lag = read(&self.upper, self.lag_slots, upper)?;
         cells.history = read(&self.past, self.lag_slots, ring)?;
         cells.history.resize(cells.lag.len(), Box::default());

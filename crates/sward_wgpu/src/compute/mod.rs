@@ -8,6 +8,7 @@ pub mod buffers;
 pub mod entries;
 pub mod passes;
 pub mod readback;
+pub mod swings;
 pub mod traffic;
 
 use std::collections::VecDeque;
@@ -15,7 +16,6 @@ use std::collections::VecDeque;
 use sward::activation::LATENCY;
 use sward::plan::StandPlan;
 use sward::response::chain;
-use sward::response::continuum::ground_of;
 use sward::state::{NONE, PatchKey, Summary};
 use sward::world::World;
 
@@ -26,6 +26,7 @@ use buffers::CellBuffers;
 use entries::{Entries, StandUniform};
 use passes::{Passes, StepBuffers};
 use readback::Readback;
+use swings::SwingPasses;
 
 /// How hosts read a cell; goes after [`sward::response::continuum::HALF_WGSL`].
 pub const CELLS_WGSL: &str = include_str!("cells.wgsl");
@@ -68,6 +69,8 @@ pub struct GpuStep {
     passes: Passes,
     /// Where stands move blade by blade.
     blades: Option<BladePasses>,
+    /// Where plants swing by themselves.
+    swings: Option<SwingPasses>,
     stands: Vec<CellBuffers>,
     pending: VecDeque<Pending>,
     /// Counters since the start.
@@ -84,9 +87,11 @@ impl GpuStep {
     pub fn new(gpu: &Gpu, world: &World) -> Result<Self, GpuError> {
         let precision = &world.scene.budget.precision;
         let by_blade = world.model.stands.iter().any(|stand| stand.chain.is_some());
+        let swinging = world.model.stands.iter().any(|stand| stand.oscillator.is_some());
         let mut step = Self {
             passes: Passes::new(gpu, &world.model.wind_texels(), precision),
             blades: by_blade.then(|| BladePasses::new(gpu, &world.model.wind_texels())),
+            swings: swinging.then(|| SwingPasses::new(gpu, &world.model.wind_texels())),
             stands: Vec::new(),
             pending: VecDeque::new(),
             work: Work::default(),
@@ -94,7 +99,7 @@ impl GpuStep {
         };
         for (stand, state) in world.model.stands.iter().zip(&world.state.stands) {
             let mut buffers = CellBuffers::new(gpu, stand, precision.clone());
-            buffers.reserve(gpu, state, stand.chain.is_some() || stand.is_level(&world.model.terrain))?;
+            buffers.reserve(gpu, state, !stand.stores_ground(&world.model.terrain))?;
             buffers.upload(gpu, state);
             step.stands.push(buffers);
         }
@@ -157,7 +162,7 @@ impl GpuStep {
             }
             for (patch, awake) in &state.awake {
                 if let Some(ground) = state.cells.ground.get_mut(awake.slot as usize) {
-                    *ground = ground_of(&model.terrain, stand, *patch);
+                    *ground = stand.ground_of(&model.terrain, *patch);
                 }
             }
         }
@@ -209,12 +214,12 @@ impl GpuStep {
             stands.push(reported(gpu, encoder, plan, &summary));
             return Ok(());
         }
-        let level = stand.is_level(&world.model.terrain);
+        let level = !stand.stores_ground(&world.model.terrain);
         // On ground that was level until now no patch has any yet.
         let laid = !level && !cells.has_ground();
         cells.reserve(gpu, state, level)?;
         for patch in plan.patches.iter().filter(|patch| (patch.woken || patch.edited || laid) && !level) {
-            let ground = ground_of(&world.model.terrain, stand, patch.patch);
+            let ground = stand.ground_of(&world.model.terrain, patch.patch);
             let planes = ground.planes((stand.cells * stand.cells) as usize);
             let bytes = bytemuck::cast_slice(&planes);
             if let Some(steepest) = cells.steepest.get_mut(patch.slot as usize) {
@@ -222,6 +227,17 @@ impl GpuStep {
             }
             gpu.queue.write_buffer(&cells.ground, u64::from(patch.slot) * bytes.len() as u64, bytes);
             self.work.uploaded += bytes.len() as u64;
+        }
+        if let (Some(oscillator), Some(passes)) = (&stand.oscillator, &self.swings) {
+            for patch in plan.patches.iter().filter(|patch| (patch.woken || patch.edited) && !stand.growth.is_free()) {
+                let grown = stand.growth_map(&world.model.terrain, patch.patch).unwrap_or_default();
+                self.work.uploaded += grown.len() as u64;
+                cells.grow_plants(gpu, patch.slot, &grown);
+            }
+            let of = (&world.model.terrain, stand, oscillator);
+            let summary = passes.record(gpu, encoder, of, plan, step, cells, &mut self.work, self.stopwatch.as_mut());
+            stands.push(reported(gpu, encoder, plan, &summary));
+            return Ok(());
         }
         let entries = Entries::of(plan, step, |slot| cells.steepest.get(slot as usize).copied().unwrap_or(f32::MAX));
         let uniform = StandUniform::new(world, stand, plan, step);

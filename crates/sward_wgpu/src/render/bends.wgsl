@@ -1,5 +1,5 @@
 // What all passes that solve plants share. Twins of the formulas: placement.rs, wind, terrain, picture/prepare.rs. How plants are bent is in
-// continuum_bends.wgsl or chain_bends.wgsl.
+// continuum_bends.wgsl, chain_bends.wgsl or swing_bends.wgsl.
 
 struct Prepare {
     placement: PlacementParameters,
@@ -18,6 +18,7 @@ struct Prepare {
     behind: f32,         // steps, 0 to 1, that the picture lies before the state
     substeps: f32,       // the time level before is one of them ago
     lag: vec4<f32>,      // gains of billboard_earlier
+    step: vec4<u32>,     // steps done when the state was so; the rest unused
     identity: vec4<u32>, // of the picture before, for the plants of this one: bits of cell and patch, stand from 1; else 0
 }
 
@@ -85,6 +86,7 @@ fn prepare_number(patch_: vec2<i32>, cell: vec2<u32>) -> u32 {
 /// A plant or a blade, as far as its bends ask.
 struct Who {
     local: vec2<f32>,   // root, m from the corner of its patch
+    tall: f32,          // height of its plant as it stands there, whole, m
     index: u32,         // its place among the blades of the patch
     heading: vec2<f32>, // unit ground vector along which it leans by itself
     yaw: f32,

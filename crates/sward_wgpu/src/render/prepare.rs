@@ -4,7 +4,7 @@ use sward::picture::past::Past;
 pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
 use sward::picture::plan::{Seen, THINNING};
 pub use sward::picture::prepare::PrepareUniform;
-use sward::response::{StandModel, chain, oscillation};
+use sward::response::{StandModel, chain, oscillation, oscillator};
 use sward::scene::Precision;
 use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
@@ -16,7 +16,7 @@ use sward::world::World;
 use super::height_samples::HeightSamples;
 use crate::compute::CELLS_WGSL;
 use crate::compute::blades::CHAIN_STAND_WGSL;
-use crate::compute::buffers::CellBuffers;
+use crate::compute::buffers::{CellBuffers, Numbers};
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
 
@@ -27,12 +27,32 @@ pub enum Bending {
     Continuum,
     /// Blade by blade.
     Chain,
+    /// Every plant swings by itself.
+    Swing,
 }
 
 impl Bending {
     /// Of a stand.
     pub fn of(stand: &StandModel) -> Self {
-        if stand.chain.is_some() { Self::Chain } else { Self::Continuum }
+        match (&stand.chain, &stand.oscillator) {
+            (Some(_), _) => Self::Chain,
+            (_, Some(_)) => Self::Swing,
+            _ => Self::Continuum,
+        }
+    }
+
+    /// Of the cells of a stand.
+    pub fn of_cells(cells: &CellBuffers) -> Self {
+        match &cells.numbers {
+            Some(Numbers::Chain(_)) => Self::Chain,
+            Some(Numbers::Swing(_)) => Self::Swing,
+            None => Self::Continuum,
+        }
+    }
+
+    /// Whether a stand of the world bends so.
+    pub fn is_in(self, world: &World) -> bool {
+        world.model.stands.iter().any(|stand| Self::of(stand) == self)
     }
 
     /// What it needs after the texts of cells and wind: [`bends.wgsl`](self) and its own.
@@ -40,6 +60,10 @@ impl Bending {
         let common = include_str!("bends.wgsl");
         match self {
             Self::Continuum => vec![common, include_str!("continuum_bends.wgsl")],
+            Self::Swing => {
+                let [swing, air] = oscillator::POSE_WGSL;
+                vec![oscillation::WGSL, swing, air, common, include_str!("swing_bends.wgsl")]
+            }
             Self::Chain => {
                 let [one, two] = chain::WGSL;
                 let [steady, standing] = chain::STANDING_WGSL;
@@ -87,6 +111,8 @@ pub struct PreparePass {
     half: Option<wgpu::ComputePipeline>,
     /// For stands that move blade by blade, where there are any.
     by_blade: Option<wgpu::ComputePipeline>,
+    /// For stands of plants that swing by themselves, where there are any.
+    swinging: Option<wgpu::ComputePipeline>,
     /// What other passes read too.
     pub shared: Shared,
 }
@@ -133,7 +159,8 @@ impl PreparePass {
             })
         };
         let continuum = module(Bending::Continuum);
-        let by_blade = world.model.stands.iter().any(|stand| stand.chain.is_some()).then(|| module(Bending::Chain));
+        let of = |bending: Bending| bending.is_in(world).then(|| module(bending));
+        let (by_blade, swinging) = (of(Bending::Chain), of(Bending::Swing));
         let pipeline = |module: &wgpu::ShaderModule, half: f64| {
             gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some("prepare"),
@@ -149,6 +176,7 @@ impl PreparePass {
             full: pipeline(&continuum, 0.0),
             half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(&continuum, 1.0)),
             by_blade: by_blade.map(|module| pipeline(&module, 0.0)),
+            swinging: swinging.map(|module| pipeline(&module, 0.0)),
             shared: Shared {
                 heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
                 tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
@@ -232,13 +260,17 @@ impl PreparePass {
             .collect();
         entries.push(wgpu::BindGroupEntry { binding: 10, resource: wgpu::BindingResource::TextureView(growth) });
         let half = || self.half.as_ref().filter(|_| cells.precision == Precision::Half).unwrap_or(&self.full);
-        let pipeline = match (&self.by_blade, &cells.numbers) {
-            (Some(pipeline), Some(numbers)) => {
-                entries.push(wgpu::BindGroupEntry { binding: 12, resource: numbers.as_entire_binding() });
-                pipeline
-            }
-            _ => half(),
+        let pipeline = match Bending::of_cells(cells) {
+            Bending::Chain => self.by_blade.as_ref(),
+            Bending::Swing => self.swinging.as_ref(),
+            Bending::Continuum => None,
         };
+        if let Some(numbers) = &cells.numbers {
+            entries.push(wgpu::BindGroupEntry { binding: 12, resource: numbers.buffer().as_entire_binding() });
+        }
+        // It has no upper segments.
+        entries.retain(|entry| entry.binding != 4 || Bending::of_cells(cells) != Bending::Swing);
+        let pipeline = pipeline.unwrap_or_else(half);
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("prepare"),
             layout: &pipeline.get_bind_group_layout(0),

@@ -62,7 +62,7 @@ fn prepare_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     var spine: array<vec3<f32>, 9>;
     spine[0] = start;
     var bends: array<vec2<f32>, 8>;
-    plant_bends(which, Who(placed.root, cell.y * prepare.placement.cells + cell.x, vec2<f32>(1.0, 0.0), 0.0, 0.0, 0.0), &bends);
+    plant_bends(which, Who(placed.root, placed.height, cell.y * prepare.placement.cells + cell.x, vec2<f32>(1.0, 0.0), 0.0, 0.0, 0.0), &bends);
     for (var segment = 0u; segment < prepare.segments; segment++) {
         local += billboard_segment(bends[segment], length_);
         let floor_ = terrain_height(prepare.grid, draw.anchor, local.xz) + BILLBOARD_CLEARANCE;

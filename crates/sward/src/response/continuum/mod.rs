@@ -27,5 +27,6 @@ pub use lag::{LagCoefficients, cascade, from_history, look_up_offset};
 pub use patch::{Scratch, Wave, step_patch, wake_patch};
 pub use propagate::{Rows, bends, deviation, fade_row, keep_held, limit_row, rates};
 pub use rest::{NODE_CELLS, Rest};
+pub(crate) use step::shape_of;
 pub use step::{ground_of, lag_planes, lags, step};
 pub use touch::{PatchContacts, Touched, touch_patch};

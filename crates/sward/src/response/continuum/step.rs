@@ -55,10 +55,11 @@ pub fn ground_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Grou
     ground
 }
 
-fn shape_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
+/// The same without regard to what grows there.
+pub(crate) fn shape_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
     if patch == TILE || terrain.is_flat() {
         let anchor = terrain.anchor(patch.map(|p| f64::from(p) * stand.patch_side));
-        return Ground { values: Box::default(), steepest: 0.0, level: terrain.height(anchor, [0.0, 0.0]) };
+        return Ground { level: terrain.height(anchor, [0.0, 0.0]), ..Ground::default() };
     }
     let cells = stand.cells as usize;
     let area = cells * cells;
@@ -73,7 +74,7 @@ fn shape_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
         let steep = (x * x + z * z).sqrt();
         steepest = if steep > steepest { steep } else { steepest };
     }
-    Ground { values, steepest, level: 0.0 }
+    Ground { values, steepest, ..Ground::default() }
 }
 
 /// Contact of one patch.

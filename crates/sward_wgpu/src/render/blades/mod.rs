@@ -26,10 +26,11 @@ pub fn constants() -> String {
 }
 
 /// Every text of these passes that is not a drawing shader, with its name.
-pub fn assembled() -> [(&'static str, String); 3] {
+pub fn assembled() -> [(&'static str, String); 4] {
     [
         ("blades, solved", solve::assembled(Bending::Continuum)),
         ("blades, solved blade by blade", solve::assembled(Bending::Chain)),
+        ("blades, solved plant by plant", solve::assembled(Bending::Swing)),
         ("blades, counted", solve::finish()),
     ]
 }

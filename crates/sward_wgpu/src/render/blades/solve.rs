@@ -76,12 +76,12 @@ impl BladeBuffers {
 
 /// The pipelines.
 pub struct SolvePass {
-    /// Of a continuum, and blade by blade. Made when first asked for, as are the pipelines.
-    modules: [OnceLock<wgpu::ShaderModule>; 2],
+    /// Of each [`Bending`]. Made when first asked for, as are the pipelines.
+    modules: [OnceLock<wgpu::ShaderModule>; 3],
     /// Of all passes that solve, likewise.
     layouts: [(wgpu::BindGroupLayout, wgpu::PipelineLayout); 2],
-    /// Each of [`ENTRIES`], for cells at full and at half precision, and blade by blade.
-    solve: [[OnceLock<wgpu::ComputePipeline>; 3]; 3],
+    /// Each of [`ENTRIES`], of a continuum at full and at half precision, then of each other [`Bending`].
+    solve: [[OnceLock<wgpu::ComputePipeline>; 3]; 4],
     finish: wgpu::ComputePipeline,
 }
 
@@ -174,14 +174,15 @@ impl SolvePass {
         timing: Option<wgpu::ComputePassTimestampWrites<'_>>,
     ) {
         let half = usize::from(of.cells.precision == Precision::Half);
-        let by_blade = usize::from(of.cells.numbers.is_some());
-        let bending = [Bending::Continuum, Bending::Chain][by_blade];
-        let (layout, pipelines) = &self.layouts[by_blade];
+        let bending = Bending::of_cells(of.cells);
+        let (layout, pipelines) = &self.layouts[usize::from(of.cells.numbers.is_some())];
+        // Continuum at full and at half precision, then the others.
+        let kind = if bending == Bending::Continuum { half } else { 1 + bending as usize };
         let make = || {
-            let module = self.modules[by_blade].get_or_init(|| module(gpu, "blades", assembled(bending)));
+            let module = self.modules[bending as usize].get_or_init(|| module(gpu, "blades", assembled(bending)));
             pipeline(gpu, Some(pipelines), module, ENTRIES[which], &[("half_precision", half as f64)])
         };
-        let pipeline = self.solve[if by_blade == 1 { 2 } else { half }][which].get_or_init(make);
+        let pipeline = self.solve[kind][which].get_or_init(make);
         let wind = of.wind.block(of.prepare.placement.cells / NODE_CELLS);
         let prepare = gpu.filled("prepare", bytemuck::bytes_of(&of.prepare), wgpu::BufferUsages::UNIFORM);
         let wind = gpu.filled("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
@@ -201,7 +202,7 @@ impl SolvePass {
             (9, &cells.old),
             (11, &numbers),
         ];
-        bound.extend(cells.numbers.iter().map(|numbers| (12, numbers)));
+        bound.extend(cells.numbers.iter().map(|numbers| (12, numbers.buffer())));
         let group = group(gpu, layout, &bound, Some((10, of.growth)));
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some("blades"), timestamp_writes: timing });
         pass.set_pipeline(pipeline);

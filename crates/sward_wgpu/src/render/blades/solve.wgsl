@@ -30,6 +30,7 @@ struct Grown {
     seen: bool,
     blade: Blade,
     local: vec2<f32>, // root, m from the corner of its patch
+    tall: f32,        // height of its plant, m
     cell: vec2<u32>,
     stance: BladeStance,
     away: f32,
@@ -107,6 +108,7 @@ fn blades_grown(which: u32, rank: u32, only_seen: bool) -> Grown {
     grown.seen = true;
     grown.blade = Blade(root, height, yaw, width, tint, twist, ground.yz, which, rank);
     grown.local = local;
+    grown.tall = placed.height;
     grown.cell = cell;
     grown.stance = BladeStance(vec2<f32>(turn.y, turn.x), blades.stance.x * chance[7], blades.stance.y * chance[8]);
     grown.away = away;
@@ -121,7 +123,7 @@ fn blades_bend(grown: Grown, level: u32, first: u32) {
     var bends: array<vec2<f32>, 8>;
     let cells = prepare.placement.cells;
     let index = ((grown.blade.rank >> (2u * prepare.bits)) * cells + grown.cell.y) * cells + grown.cell.x;
-    plant_bends(which, Who(grown.local, index, grown.stance.heading, grown.blade.yaw, grown.stance.lean, grown.stance.curl), &bends);
+    plant_bends(which, Who(grown.local, grown.tall, index, grown.stance.heading, grown.blade.yaw, grown.stance.lean, grown.stance.curl), &bends);
     let pieces = blades.pieces[level];
     let coarse = blades.pieces[min(level + 1u, 2u)];
     let border = blades.distances[min(level, 1u)];

@@ -1,0 +1,134 @@
+//! What a step does to a plant within reach of bodies: it swings freely unless one holds it farther out.
+//!
+//! Methods §2: contact is unilateral, `H ≥ (free + wind)·d` holds. d starts from where the plant leans and turns towards where bodies push it;
+//! a held plant takes the body's rate along when it is let go. Differs: a hold tightens no faster than the body's own motion can, and 12 rad/s,
+//! so plants under a body that appears or jumps lie down within a few steps instead of in one. Twin: `touch.wgsl`.
+
+use super::instigator::Push;
+use super::model::OscillatorCoefficients;
+use super::swing::{Own, Record, SHORTEST, limited};
+use crate::math;
+
+/// No plant leans farther, rad.
+const HALF_PI: f32 = std::f32::consts::FRAC_PI_2;
+/// A plant that leans less has no direction to turn from, rad.
+const UPRIGHT: f32 = 0.05;
+/// Bodies oppose each other where their mean push is less than this share of what they push in all.
+const OPPOSED: f32 = 0.2;
+
+/// What all pieces of one kind ask of a plant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Gathered {
+    strongest: f32,
+    strongest_outward: [f32; 2],
+    pace: f32,
+    sum: [f32; 2],
+    total: f32,
+}
+
+impl Gathered {
+    #[inline(always)]
+    fn add(&mut self, push: &Push) {
+        if push.tilt > self.strongest {
+            (self.strongest, self.strongest_outward) = (push.tilt, push.outward);
+        }
+        self.pace = math::upper(self.pace, push.pace);
+        self.sum = [self.sum[0] + push.tilt * push.outward[0], self.sum[1] + push.tilt * push.outward[1]];
+        self.total += push.tilt;
+    }
+
+    /// The mean of all, weighted by tilt; where they oppose each other the strongest one's.
+    #[inline(always)]
+    fn outward(&self) -> [f32; 2] {
+        let size = (self.sum[0] * self.sum[0] + self.sum[1] * self.sum[1]).sqrt();
+        if size < OPPOSED * self.total { self.strongest_outward } else { [self.sum[0] / size, self.sum[1] / size] }
+    }
+}
+
+/// A plant within reach of bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plant {
+    /// How it swings.
+    pub own: Own,
+    /// How it was last left.
+    pub record: Record,
+    /// How it stands in the wind, rad.
+    pub wind: [f32; 2],
+}
+
+/// The unit direction `from` turned towards the unit direction `to` by at most `most` rad; the other way round where they oppose.
+#[inline(always)]
+fn turned(from: [f32; 2], to: [f32; 2], most: f32) -> [f32; 2] {
+    let along = from[0] * to[0] + from[1] * to[1];
+    let across = from[0] * to[1] - from[1] * to[0];
+    let (sine, cosine) = math::sin_cos(most);
+    if along >= cosine {
+        return to;
+    }
+    let sine = if across < 0.0 { -sine } else { sine };
+    [from[0] * cosine - from[1] * sine, from[0] * sine + from[1] * cosine]
+}
+
+impl Plant {
+    /// Bend at step `now` without bodies, rad.
+    #[inline(always)]
+    fn shown(&self, co: &OscillatorCoefficients, now: u32) -> [f32; 2] {
+        let [x, z] = self.record.at(co, &self.own, now, 0.0);
+        limited([x + self.wind[0], z + self.wind[1]])
+    }
+
+    /// Its record if bodies hold it at the end of the step that makes `now` steps; else `None`.
+    #[inline(always)]
+    fn held(&self, co: &OscillatorCoefficients, by: &Gathered, before: [f32; 2], free: [f32; 2], now: u32) -> Option<Record> {
+        if by.strongest <= 0.0 {
+            return None;
+        }
+        let lean = (free[0] * free[0] + free[1] * free[1]).sqrt();
+        let target = by.outward();
+        let towards = if lean > UPRIGHT { turned([free[0] / lean, free[1] / lean], target, co.pace) } else { target };
+        let along = |bend: [f32; 2]| bend[0] * towards[0] + bend[1] * towards[1];
+        let reached = math::upper(along(before), 0.0) + co.pace + by.pace * co.dt;
+        let hold = math::lower(math::lower(by.strongest, reached), HALF_PI);
+        if hold < along(free) {
+            return None;
+        }
+        let mut deviation = [hold * towards[0] - self.wind[0], hold * towards[1] - self.wind[1]];
+        let mut size = (deviation[0] * deviation[0] + deviation[1] * deviation[1]).sqrt();
+        if size < SHORTEST {
+            (deviation, size) = (towards.map(|part| part * SHORTEST), SHORTEST);
+        }
+        // Held in the step before as well?
+        let was_held = self.record.step == now.wrapping_sub(1) && self.record != Record::default();
+        let own = self.own.omega_squared.sqrt();
+        let rate = (hold - (before[0] * before[0] + before[1] * before[1]).sqrt()) / co.dt;
+        let rate = if was_held { math::clamped(rate, -own * hold, own * (HALF_PI - hold)) } else { 0.0 };
+        let share = (towards[0] * deviation[0] + towards[1] * deviation[1]) / size;
+        Some(Record { deviation, rate: rate * share, step: now })
+    }
+}
+
+/// The record of a plant after the step that makes `now` steps, if bodies change it: `pushes` with the share of the step each stays for. A body
+/// that vanishes within the step lets go at its own moment, not at the step's end: recovery does not depend on the length of steps.
+#[inline(always)]
+pub fn touch(co: &OscillatorCoefficients, plant: &Plant, pushes: impl Iterator<Item = (Push, f32)>, now: u32) -> Option<Record> {
+    let (mut staying, mut leaving, mut stays) = (Gathered::default(), Gathered::default(), 1.0);
+    for (push, share) in pushes {
+        if share < 1.0 {
+            leaving.add(&push);
+            stays = share;
+        } else {
+            staying.add(&push);
+        }
+    }
+    let before = plant.shown(co, now.wrapping_sub(1));
+    let mut plant = *plant;
+    let mut changed = None;
+    if let Some(held) = plant.held(co, &leaving, before, plant.shown(co, now), now) {
+        plant.record = held.later(&plant.own, (1.0 - stays) * co.dt, now);
+        changed = Some(plant.record);
+    }
+    let free = plant.shown(co, now);
+    let held = plant.held(co, &staying, before, free, now);
+    let aged = now.wrapping_sub(plant.record.step) > co.settle && plant.record != Record::default();
+    held.or(changed).or(aged.then(Record::default))
+}

@@ -1,0 +1,107 @@
+// What a step does to a plant within reach of bodies. Twin: touch.rs, where everything is explained. Needs instigator.wgsl.
+
+const TOUCH_UPRIGHT: f32 = 0.05;
+const TOUCH_OPPOSED: f32 = 0.2;
+
+struct Gathered {
+    strongest: f32,
+    strongest_outward: vec2<f32>,
+    pace: f32,
+    sum: vec2<f32>,
+    total: f32,
+}
+
+struct Touched {
+    changed: bool,
+    record: SwingRecord,
+}
+
+struct TouchPlant {
+    own: SwingOwn,
+    record: SwingRecord,
+    wind: vec2<f32>,
+}
+
+fn touch_add(gathered: Gathered, push: Push) -> Gathered {
+    var g = gathered;
+    if push.tilt > g.strongest {
+        g.strongest = push.tilt;
+        g.strongest_outward = push.outward;
+    }
+    g.pace = max(g.pace, push.pace);
+    g.sum += push.tilt * push.outward;
+    g.total += push.tilt;
+    return g;
+}
+
+fn touch_outward(g: Gathered) -> vec2<f32> {
+    let size = swing_length(g.sum);
+    if size < TOUCH_OPPOSED * g.total {
+        return g.strongest_outward;
+    }
+    return g.sum / size;
+}
+
+fn touch_turned(origin: vec2<f32>, to: vec2<f32>, most: f32) -> vec2<f32> {
+    let turn = math_sin_cos(most);
+    if dot(origin, to) >= turn.y {
+        return to;
+    }
+    let sine = select(turn.x, -turn.x, origin.x * to.y - origin.y * to.x < 0.0);
+    return vec2<f32>(origin.x * turn.y - origin.y * sine, origin.x * sine + origin.y * turn.y);
+}
+
+fn touch_shown(co: OscillatorCoefficients, plant: TouchPlant, now: u32) -> vec2<f32> {
+    return swing_limited(swing_at(co, plant.own, plant.record, now, 0.0) + plant.wind);
+}
+
+fn touch_is_empty(record: SwingRecord) -> bool {
+    return all(record.deviation == vec2<f32>(0.0)) && record.rate == 0.0 && record.step == 0u;
+}
+
+fn touch_held(co: OscillatorCoefficients, plant: TouchPlant, by: Gathered, before: vec2<f32>, free: vec2<f32>, now: u32) -> Touched {
+    if by.strongest <= 0.0 {
+        return Touched(false, plant.record);
+    }
+    let lean = swing_length(free);
+    var towards = touch_outward(by);
+    if lean > TOUCH_UPRIGHT {
+        towards = touch_turned(free / lean, towards, co.pace);
+    }
+    let reached = max(dot(before, towards), 0.0) + co.pace + by.pace * co.dt;
+    let hold = min(min(by.strongest, reached), SWING_HALF_PI);
+    if hold < dot(free, towards) {
+        return Touched(false, plant.record);
+    }
+    var deviation = hold * towards - plant.wind;
+    var size = swing_length(deviation);
+    if size < SWING_SHORTEST {
+        deviation = towards * SWING_SHORTEST;
+        size = SWING_SHORTEST;
+    }
+    var rate = 0.0;
+    if plant.record.step == now - 1u && !touch_is_empty(plant.record) {
+        let own = sqrt(plant.own.omega_squared);
+        rate = math_clamped((hold - swing_length(before)) / co.dt, -own * hold, own * (SWING_HALF_PI - hold));
+    }
+    return Touched(true, SwingRecord(deviation, rate * dot(towards, deviation) / size, now));
+}
+
+// The record after the step that makes `now` steps; `stays` is the share of the step for which `leaving` are there
+fn touch_step(co: OscillatorCoefficients, given: TouchPlant, staying: Gathered, leaving: Gathered, stays: f32, now: u32) -> Touched {
+    var plant = given;
+    let before = touch_shown(co, plant, now - 1u);
+    let let_go = touch_held(co, plant, leaving, before, touch_shown(co, plant, now), now);
+    if let_go.changed {
+        plant.record = swing_later(plant.own, let_go.record, (1.0 - stays) * co.dt, now);
+    }
+    let held = touch_held(co, plant, staying, before, touch_shown(co, plant, now), now);
+    if held.changed || let_go.changed {
+        return Touched(true, held.record);
+    }
+    let aged = now - plant.record.step > co.settle && !touch_is_empty(plant.record);
+    if aged {
+        return Touched(true, SwingRecord(vec2<f32>(0.0), 0.0, 0u));
+    }
+    return Touched(false, plant.record);
+}

@@ -1,0 +1,233 @@
+//! The step of a stand of plants that swing by themselves: its plan as the passes read it, and the passes.
+
+use bytemuck::{Pod, Zeroable};
+use sward::placement::PlacementParameters;
+use sward::plan::{PatchPlan, StandPlan};
+use sward::response::StandModel;
+use sward::response::oscillator::{self, Blocks, OscillatorCoefficients, OscillatorModel, is_census};
+use sward::response::{continuum, oscillation};
+use sward::state::TILE;
+use sward::terrain::Terrain;
+
+use super::Work;
+use super::blades::SUMMARY_WORDS;
+use super::buffers::CellBuffers;
+use super::passes::{Groups, Pass};
+use crate::gpu::Gpu;
+use crate::stopwatch::Stopwatch;
+
+/// Most workgroups along one axis that are asked for.
+const ROW: u32 = 32768;
+
+/// `SwingStand` of `swing_bends.wgsl`: what pictures read of a stand.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct SwingUniform {
+    /// Kernel numbers.
+    pub coefficients: OscillatorCoefficients,
+    /// m.
+    pub patch_side: f32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: [f32; 3],
+}
+
+impl SwingUniform {
+    /// Of a stand.
+    pub fn new(stand: &StandModel, oscillator: &OscillatorModel) -> Self {
+        Self { coefficients: oscillator.coefficients, patch_side: stand.patch_side as f32, unused: [0.0; 3] }
+    }
+}
+
+/// `SwingStep` of `swings.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct SwingStep {
+    /// Where plants stand.
+    pub placement: PlacementParameters,
+    /// Kernel numbers.
+    pub coefficients: OscillatorCoefficients,
+    /// m.
+    pub patch_side: f32,
+    /// Height of level ground, m.
+    pub height: f32,
+    /// 1: all ground is level.
+    pub level: u32,
+    /// 1: how far plants have grown is stored.
+    pub growing: u32,
+    /// Steps done after this one; wraps.
+    pub now: u32,
+    /// Place of the pairs behind the edges.
+    pub pairs: u32,
+    /// Place of the blocks behind those.
+    pub blocks: u32,
+    /// Number of blocks.
+    pub count: u32,
+}
+
+/// `SwingPatch` of `swings.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct SwingPatch {
+    /// Where its cells are.
+    pub slot: u32,
+    /// 1: it wakes; 2: it is the tiled wind patch.
+    pub flags: u32,
+    /// Its place in the summaries.
+    pub entry: u32,
+    /// Share of its deviation it keeps.
+    pub keep: f32,
+    /// Which patch.
+    pub patch: [i32; 2],
+    /// Keeps the next at a multiple of 16 bytes.
+    pub unused: [u32; 2],
+    /// How far texels rule at its corners.
+    pub weights: [f32; 4],
+    /// Slots of the 3×3 patches around it, or none.
+    pub around: [u32; 9],
+    /// Keeps the size a multiple of 16 bytes.
+    pub more_unused: [u32; 3],
+}
+
+fn entry((number, patch): (usize, &PatchPlan)) -> SwingPatch {
+    SwingPatch {
+        slot: patch.slot,
+        flags: u32::from(patch.woken) | if patch.patch == TILE { 2 } else { 0 },
+        entry: number as u32,
+        keep: patch.keep,
+        patch: patch.patch,
+        unused: [0; 2],
+        weights: patch.weights,
+        around: patch.around,
+        more_unused: [0; 3],
+    }
+}
+
+/// The full text of the compute shader.
+pub fn assembled() -> String {
+    let words = format!("const SUMMARY_WORDS: u32 = {SUMMARY_WORDS}u;");
+    let mut parts = vec![sward::math::WGSL, sward::wind::WGSL, sward::placement::WGSL, sward::interaction::WGSL, oscillation::WGSL];
+    parts.extend(oscillator::WGSL);
+    parts.extend([&words, include_str!("swings.wgsl")]);
+    parts.join("\n")
+}
+
+/// The passes.
+pub struct SwingPasses {
+    air: Pass,
+    fade: Pass,
+    touch: Pass,
+    tile: wgpu::Buffer,
+}
+
+/// Edges, pairs and blocks of a step as one list of words.
+fn words(plan: &StandPlan, blocks: &Blocks) -> Vec<u8> {
+    let mut words: Vec<u8> = bytemuck::cast_slice(&plan.edges).to_vec();
+    for pair in &blocks.pairs {
+        words.extend_from_slice(bytemuck::bytes_of(&[pair.contact as i32, pair.corner[0], pair.corner[1], 0]));
+    }
+    for block in &blocks.blocks {
+        let corner = block.corner[0] | (block.corner[1] << 16);
+        words.extend_from_slice(bytemuck::bytes_of(&[block.patch, corner, block.first, block.count]));
+    }
+    words
+}
+
+impl SwingPasses {
+    /// Builds the pipelines; `wind_texels` as of [`sward::model::Model::wind_texels`].
+    pub fn new(gpu: &Gpu, wind_texels: &[[f32; 2]]) -> Self {
+        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("swings"),
+            source: wgpu::ShaderSource::Wgsl(assembled().into()),
+        });
+        Self {
+            air: Pass::plain(gpu, &module, "air_pass", &[0, 1, 2, 4, 8, 11, 14]),
+            fade: Pass::plain(gpu, &module, "fade_pass", &[0, 2, 3]),
+            touch: Pass::plain(gpu, &module, "touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 14]),
+            tile: gpu.filled("wind tile", bytemuck::cast_slice(wind_texels), wgpu::BufferUsages::STORAGE),
+        }
+    }
+
+    /// Records one step of a stand, the one after `before` steps. Returns the summaries, [`SUMMARY_WORDS`] a patch.
+    pub fn record(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        (terrain, stand, oscillator): (&Terrain, &StandModel, &OscillatorModel),
+        plan: &StandPlan,
+        before: u64,
+        cells: &CellBuffers,
+        work: &mut Work,
+        mut stopwatch: Option<&mut Stopwatch>,
+    ) -> wgpu::Buffer {
+        let co = oscillator.coefficients;
+        for patch in plan.patches.iter().filter(|patch| patch.woken) {
+            cells.clear(encoder, patch.slot);
+        }
+        let mut filled = |label: &str, bytes: &[u8], usage: wgpu::BufferUsages| {
+            work.uploaded += bytes.len() as u64;
+            let padding = [0; 96];
+            gpu.filled(label, if bytes.is_empty() { &padding } else { bytes }, usage)
+        };
+        let (uniform, storage) = (wgpu::BufferUsages::UNIFORM, wgpu::BufferUsages::STORAGE);
+        let now = (before as u32).wrapping_add(1);
+        let blocks = Blocks::of(plan, stand.cells);
+        let count = blocks.blocks.len() as u32;
+        let pairs = 2 * plan.edges.len() as u32;
+        let numbers = SwingStep {
+            placement: stand.placement,
+            coefficients: co,
+            patch_side: stand.patch_side as f32,
+            height: terrain.height_at(0.0, 0.0) as f32,
+            level: u32::from(!stand.stores_ground(terrain)),
+            growing: u32::from(!stand.growth.is_free()),
+            now,
+            pairs,
+            blocks: pairs + blocks.pairs.len() as u32,
+            count,
+        };
+        let all: Vec<SwingPatch> = plan.patches.iter().enumerate().map(entry).collect();
+        let fading: Vec<SwingPatch> = all.iter().filter(|patch| patch.keep < 1.0 || is_census(now)).copied().collect();
+        let intervals = stand.cells / continuum::NODE_CELLS;
+        let (wind, tile_wind) = (plan.wind.block(intervals), plan.tile_wind.block(intervals));
+        let numbers = filled("swings", bytemuck::bytes_of(&numbers), uniform);
+        let wind = filled("wind", bytemuck::bytes_of(&wind), uniform);
+        let tile_wind = filled("tiled wind", bytemuck::bytes_of(&tile_wind), uniform);
+        let awake = filled("awake patches", bytemuck::cast_slice(&all), storage);
+        let faded = filled("fading patches", bytemuck::cast_slice(&fading), storage);
+        let contacts = filled("contacts", bytemuck::cast_slice(&plan.contacts), storage);
+        let words = filled("edges, pairs and blocks", &words(plan, &blocks), storage);
+        let summary = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("summaries"),
+            size: (all.len() as u64 * u64::from(SUMMARY_WORDS)).max(4) * 4,
+            usage: storage | wgpu::BufferUsages::COPY_SRC,
+            mapped_at_creation: false,
+        });
+        let mut run = |pass: &Pass, patches: &wgpu::Buffer, groups: [u32; 3]| {
+            let bound = [
+                (0, &numbers),
+                (1, &wind),
+                (2, patches),
+                (3, &cells.now),
+                (4, &cells.old),
+                (5, &cells.ground),
+                (6, &cells.grown),
+                (8, &self.tile),
+                (9, &contacts),
+                (10, &words),
+                (11, &summary),
+                (14, &tile_wind),
+            ];
+            work.add(&pass.run(gpu, encoder, &bound, Groups::Direct(groups), stopwatch.as_deref_mut()));
+        };
+        let (texels, side) = (co.texels / 8, stand.cells / 8);
+        if texels > 0 {
+            run(&self.air, &awake, [texels, texels, all.len() as u32]);
+        }
+        run(&self.fade, &faded, [side, side, fading.len() as u32]);
+        run(&self.touch, &awake, [count.min(ROW), count.div_ceil(ROW), u32::from(count > 0)]);
+        let texels = u64::from(co.texels) * u64::from(co.texels);
+        // Of a texel 8 bytes read and 16 written, of a plant its record, where it fades or is looked at.
+        work.traffic += all.len() as u64 * texels * 24 + (fading.len() as u64 * u64::from(side * side) + u64::from(count)) * 64 * 32;
+        summary
+    }
+}

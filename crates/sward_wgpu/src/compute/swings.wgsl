@@ -1,0 +1,207 @@
+// One step of a stand of plants that swing by themselves: air -> fade -> touch. Twin: response/oscillator/step.rs in the core.
+
+struct SwingStep {
+    placement: PlacementParameters,
+    coefficients: OscillatorCoefficients,
+    patch_side: f32,
+    height: f32,      // of level ground, m
+    level: u32,       // all ground is level
+    growing: u32,     // how far plants have grown is stored
+    now: u32,         // steps done after this one
+    pairs: u32,       // place of the pairs behind the edges
+    blocks: u32,      // place of the blocks behind those
+    count: u32,       // blocks
+}
+
+struct SwingPatch {
+    slot: u32,
+    flags: u32,       // 1: it wakes; 2: it is the tiled wind patch
+    entry: u32,       // its place in the summaries
+    keep: f32,
+    patch_index: vec2<i32>,
+    unused_a: u32,
+    unused_b: u32,
+    weights: vec4<f32>,
+    around: array<u32, 9>,
+    unused_c: u32,
+    unused_d: u32,
+    unused_e: u32,
+}
+
+@group(0) @binding(0) var<uniform> stand: SwingStep;
+@group(0) @binding(1) var<uniform> wind: WindBlock;
+@group(0) @binding(2) var<storage, read> patches: array<SwingPatch>;
+@group(0) @binding(3) var<storage, read_write> records: array<u32>;
+@group(0) @binding(4) var<storage, read_write> texels: array<f32>;
+@group(0) @binding(5) var<storage, read> ground: array<f32>;
+@group(0) @binding(6) var<storage, read> grown: array<u32>;
+@group(0) @binding(8) var<storage, read> tile: array<vec2<f32>>;
+@group(0) @binding(9) var<storage, read> contacts: array<Contact>;
+// Edges (two words each), pairs (contact, corner x, corner z, unused), blocks (patch, corner, first pair, pairs).
+@group(0) @binding(10) var<storage, read> words: array<vec4<i32>>;
+@group(0) @binding(11) var<storage, read_write> summary: array<atomic<u32>>;
+@group(0) @binding(14) var<uniform> tile_wind: WindBlock;
+
+fn wind_tile_load(index: u32) -> vec2<f32> {
+    return tile[index];
+}
+
+fn air_load(index: u32) -> f32 {
+    return texels[index];
+}
+
+fn contact_edge(index: u32) -> ContactEdge {
+    let a = words[2u * index];
+    let b = words[2u * index + 1u];
+    return ContactEdge(a.xy, a.zw, bitcast<vec2<f32>>(b.xy), bitcast<f32>(b.z), 0.0);
+}
+
+/// Velocity of the air at a place of a patch.
+fn velocity_at(entry: SwingPatch, local: vec2<f32>) -> vec2<f32> {
+    var velocity = wind.mean;
+    for (var k = 0u; k < wind.count; k++) {
+        var octave = wind.octaves[k];
+        if (entry.flags & 2u) != 0u {
+            octave = tile_wind.octaves[k];
+        }
+        let base = wind_patch_phase(octave, entry.patch_index, wind.intervals);
+        velocity += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
+    }
+    for (var k = 0u; k < wind.footprint_count; k++) {
+        let print = wind.footprints[k];
+        let base = wind_footprint_base(print, entry.patch_index, wind.intervals);
+        velocity += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
+    }
+    return velocity;
+}
+
+var<workgroup> peak: atomic<u32>;
+
+/// The tilt in the wind at each texel of each awake patch.
+@compute @workgroup_size(8, 8)
+fn air_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+    let entry = patches[id.z];
+    let co = stand.coefficients;
+    let area = co.texels * co.texels;
+    let first = entry.slot * 4u * area + id.y * co.texels + id.x;
+    let place = (vec2<f32>(id.xy) + 0.5) * (stand.patch_side / f32(co.texels));
+    let goal = wind_equilibrium(velocity_at(entry, place), co.wind);
+    var before = vec2<f32>(texels[first], texels[first + area]);
+    if (entry.flags & 1u) != 0u {
+        before = goal;
+    }
+    let off = entry.keep * (before + co.follow * (goal - before) - goal);
+    let next = goal + off;
+    texels[first] = next.x;
+    texels[first + area] = next.y;
+    texels[first + 2u * area] = before.x;
+    texels[first + 3u * area] = before.y;
+    atomicMax(&peak, bitcast<u32>(off.x * off.x + off.y * off.y));
+    workgroupBarrier();
+    if lane == 0u {
+        atomicMax(&summary[entry.entry * SUMMARY_WORDS], atomicLoad(&peak));
+    }
+}
+
+fn load_record(first: u32) -> SwingRecord {
+    let area = stand.placement.cells * stand.placement.cells;
+    let deviation = bitcast<vec2<f32>>(vec2<u32>(records[first], records[first + area]));
+    return SwingRecord(deviation, bitcast<f32>(records[first + 2u * area]), records[first + 3u * area]);
+}
+
+fn store_record(first: u32, record: SwingRecord) {
+    let area = stand.placement.cells * stand.placement.cells;
+    let deviation = bitcast<vec2<u32>>(record.deviation);
+    records[first] = deviation.x;
+    records[first + area] = deviation.y;
+    records[first + 2u * area] = bitcast<u32>(record.rate);
+    records[first + 3u * area] = record.step;
+}
+
+/// Plants of patches that fade keep a share of their motion; those at rest forget it.
+@compute @workgroup_size(8, 8)
+fn fade_pass(@builtin(global_invocation_id) id: vec3<u32>) {
+    let entry = patches[id.z];
+    let side = stand.placement.cells;
+    let first = entry.slot * 4u * side * side + id.y * side + id.x;
+    var record = load_record(first);
+    record.deviation *= entry.keep;
+    record.rate *= entry.keep;
+    if stand.now - record.step > stand.coefficients.settle {
+        record = SwingRecord(vec2<f32>(0.0), 0.0, 0u);
+    }
+    store_record(first, record);
+}
+
+/// What all pieces over a block ask of one of its plants; the second ones leave within the step.
+struct Asked {
+    staying: Gathered,
+    leaving: Gathered,
+    stays: f32,
+}
+
+fn asked_of(block: vec4<i32>, cell: vec2<i32>, root: vec2<f32>, height: f32, rod: f32, facing: vec2<f32>) -> Asked {
+    var asked: Asked;
+    asked.stays = 1.0;
+    for (var k = 0u; k < u32(block.w); k++) {
+        let pair = words[stand.pairs + u32(block.z) + k];
+        let contact = contacts[u32(pair.x)];
+        let at = cell - pair.yz;
+        if any(at < vec2<i32>(0)) || any(at >= contact.size) {
+            continue;
+        }
+        let push = instigator_push(stand.coefficients, contact, root - vec2<f32>(pair.yz) * stand.placement.spacing, height, rod, facing);
+        if push.tilt <= 0.0 {
+            continue;
+        }
+        if contact.stays < 1.0 {
+            asked.leaving = touch_add(asked.leaving, push);
+            asked.stays = contact.stays;
+        } else {
+            asked.staying = touch_add(asked.staying, push);
+        }
+    }
+    return asked;
+}
+
+/// Plants in reach of bodies; a workgroup is one block of cells.
+@compute @workgroup_size(8, 8)
+fn touch_pass(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_id) lane: vec3<u32>) {
+    let number = group.y * groups.x + group.x;
+    if number >= stand.count {
+        return;
+    }
+    let block = words[stand.blocks + number];
+    let entry = patches[block.x];
+    let side = stand.placement.cells;
+    let cell = vec2<u32>(u32(block.y) & 0xffffu, u32(block.y) >> 16u) + lane.xy;
+    let index = cell.y * side + cell.x;
+    var plant = placement_plant(stand.placement, entry.patch_index, cell);
+    if stand.growing != 0u {
+        let word = grown[(entry.slot * side * side + index) / 4u];
+        plant = placement_grown(plant, (word >> (8u * (index & 3u))) & 0xffu);
+    }
+    if !plant.present {
+        return;
+    }
+    var height = stand.height;
+    if stand.level == 0u {
+        let first = entry.slot * 3u * side * side + index;
+        let off = plant.root - (vec2<f32>(cell) + 0.5) * stand.placement.spacing;
+        height = ground[first + 2u * side * side] + ground[first] * off.x + ground[first + side * side] * off.y;
+    }
+    let co = stand.coefficients;
+    let asked = asked_of(block, vec2<i32>(cell), plant.root, height, plant.height, math_sin_cos(plant.yaw).yx);
+    let first = entry.slot * 4u * side * side + index;
+    let air = Air(entry.around, entry.weights, stand.patch_side);
+    var still = vec2<f32>(0.0);
+    if air_asks(co, air) {
+        still = wind_equilibrium(velocity_at(entry, plant.root), co.wind);
+    }
+    let own = swing_own(co, placement_variety(stand.placement, entry.patch_index, index), plant.height);
+    let touched = TouchPlant(own, load_record(first), air_at(co, air, plant.root, 0.0, still));
+    let next = touch_step(co, touched, asked.staying, asked.leaving, asked.stays, stand.now);
+    if next.changed {
+        store_record(first, next.record);
+    }
+}
