@@ -24,6 +24,8 @@ mod runs;
 mod scenes;
 #[path = "support/shading.rs"]
 mod shading;
+#[path = "support/swings.rs"]
+mod swings;
 
 fn main() -> std::process::ExitCode {
     let tests: &[adapter::Test] = &[
@@ -56,6 +58,12 @@ fn main() -> std::process::ExitCode {
         ("relief_edits", shading::relief_edits),
         ("denser_fog_is_found", shading::denser_fog_is_found),
         ("oscillations", chains::oscillations),
+        ("swing_poses", swings::poses),
+        ("swing_tilts", swings::tilts),
+        ("swing_touches", swings::touches),
+        ("swing_runs", swings::run),
+        ("swing_costs", swings::released_plants_cost_nothing),
+        ("swings_solved", prepared::swings_solved),
         ("chain_steps", chains::steps),
         ("chain_poses", chains::poses),
         ("strips", blades::strips),

@@ -27,6 +27,11 @@ pub(crate) struct Found {
 }
 
 impl Found {
+    /// Whether a body holds it.
+    pub(crate) fn is_held(&self, world: &World) -> bool {
+        self.record.is_held() && self.record.steps_to(world.state.step as u32) == 0
+    }
+
     /// Deviation `behind` steps before the state, rad.
     pub(crate) fn at(&self, world: &World, behind: f32) -> [f32; 2] {
         self.record.at(&coefficients(world), &self.own, world.state.step as u32, behind)

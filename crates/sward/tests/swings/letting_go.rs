@@ -9,7 +9,7 @@ const STAND: &str = "height: (0.4, 0.4), clumping: 0, response: Oscillator(frequ
 
 /// A ball that vanishes after a second, at `rate` steps a second, as it is at `time` s.
 fn ball(rate: u32, until: f64, time: f64) -> World {
-    let body = format!("interactors: [(shape: Sphere(radius: 0.8), path: Still(at: (2, 2)), until: {until})]");
+    let body = format!("interactors: [(shape: Sphere(radius: 2), path: Still(at: (2, 2)), until: {until})]");
     let mut world = field(STAND, &format!("steps_per_second: {rate}, {body}"));
     while world.time() < time - 1e-9 {
         world.step();
@@ -103,8 +103,9 @@ fn frames_between_steps_lie_on_the_same_curve() {
 
 #[test]
 fn a_plant_let_go_costs_nothing_and_its_patch_sleeps_when_it_is_at_rest() {
+    let during = ball(60, 1.0, 0.5).plan();
     let mut world = ball(60, 1.0, 1.0);
-    let during = Blocks::of(&world.plan().stands[0], 64);
+    let during = Blocks::of(&during.stands[0], 64);
     assert!(!during.blocks.is_empty());
     world.step();
     let settle = coefficients(&world).settle;

@@ -26,11 +26,11 @@ fn a_thousand_bodies() {
     for _ in 0..90 {
         world.step();
         let found = touched(&world);
-        most = most.max(found.iter().filter(|(_, found)| found.record.step == world.state.step as u32).count());
+        most = most.max(found.iter().filter(|(_, found)| found.is_held(&world)).count());
         assert!(found.iter().all(|(_, found)| length(limited(found.at(&world, 0.0))) <= std::f32::consts::FRAC_PI_2 + 1e-5));
     }
     println!("1024 bodies: {most} plants held at once");
-    assert!(most > 4000, "{most}");
+    assert!(most > 3000, "{most}");
     // All are gone by now: no plant stays bent.
     for _ in 0..coefficients(&world).settle {
         world.step();
@@ -45,7 +45,7 @@ fn a_thousand_bodies() {
 /// Two bodies on one plant: the stronger push holds, the direction is between them.
 #[test]
 fn between_two_bodies_a_plant_leans_between_them() {
-    let two = "interactors: [(name: \"a\", shape: Sphere(radius: 0.8), path: Still(at: (0, 0.5))), (name: \"b\", shape: Sphere(radius: 0.8), path: Still(at: (0, -0.5)))]";
+    let two = "interactors: [(name: \"a\", shape: Sphere(radius: 1.2), path: Still(at: (0, 0.4))), (name: \"b\", shape: Sphere(radius: 1.2), path: Still(at: (0, -0.4)))]";
     let mut world = field("response: Oscillator()", two);
     (0..60).for_each(|_| world.step());
     let beside = |world: &sward::world::World| -> Vec<[f32; 2]> {
@@ -54,8 +54,8 @@ fn between_two_bodies_a_plant_leans_between_them() {
     };
     let both = beside(&world);
     assert!(!both.is_empty());
-    assert!(both.iter().all(|[x, z]| *x > 0.3 && z.abs() < 0.6 * x), "{both:?}");
-    let mut world = field("response: Oscillator()", "interactors: [(shape: Sphere(radius: 0.8), path: Still(at: (0, 0.5)))]");
+    assert!(both.iter().all(|[x, z]| *x > 0.1 && z.abs() < 0.6 * x), "{both:?}");
+    let mut world = field("response: Oscillator()", "interactors: [(shape: Sphere(radius: 1.2), path: Still(at: (0, 0.4)))]");
     (0..60).for_each(|_| world.step());
     assert!(beside(&world).iter().all(|[x, z]| *z < -0.6 * x), "one alone pushes it away from itself");
 }

@@ -8,7 +8,7 @@ fn watch(rest: &str, settle: u32, steps: u32) -> (u32, f32, usize) {
     (0..settle).for_each(|_| world.step());
     let (mut switches, mut farthest): (u32, f32) = (0, 0.0);
     let held = |world: &sward::world::World| -> Vec<_> {
-        touched(world).into_iter().map(|(key, found)| (key, found.record.step == world.state.step as u32, found.at(world, 0.0))).collect()
+        touched(world).into_iter().map(|(key, found)| (key, found.is_held(world), found.at(world, 0.0))).collect()
     };
     let mut before = held(&world);
     let count = before.iter().filter(|(_, held, _)| *held).count();
@@ -46,15 +46,14 @@ fn watch_moving(rest: &str) -> (u32, f32, usize) {
     (0..60).for_each(|_| world.step());
     let (mut switches, mut farthest): (u32, f32) = (0, 0.0);
     for _ in 0..120 {
-        let before = touched(&world);
-        let step = world.state.step as u32;
-        let then: Vec<_> = before.iter().map(|(_, found)| found.at(&world, 0.0)).collect();
+        let before: Vec<_> = touched(&world).into_iter().map(|(key, found)| (key, found.is_held(&world), found)).collect();
+        let then: Vec<_> = before.iter().map(|(_, _, found)| found.at(&world, 0.0)).collect();
         world.step();
         let now = touched(&world);
-        for ((key, was), a) in before.iter().zip(then) {
+        for ((key, was_held, _), a) in before.iter().zip(then) {
             let Some((_, is)) = now.iter().find(|(other, _)| other == key) else { continue };
             let b = is.at(&world, 0.0);
-            switches += u32::from((was.record.step == step) != (is.record.step == step + 1));
+            switches += u32::from(*was_held != is.is_held(&world));
             farthest = farthest.max(length([a[0] - b[0], a[1] - b[1]]));
         }
     }

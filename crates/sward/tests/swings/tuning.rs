@@ -47,7 +47,7 @@ fn what_cannot_be_is_refused() {
 /// Of each plant its own: frequency and damping differ by what is asked for, and not more.
 #[test]
 fn plants_differ() {
-    let body = "interactors: [(shape: Sphere(radius: 3), path: Still(at: (0, 0)))]";
+    let body = "interactors: [(shape: Box(size: (6, 1, 6)), path: Still(at: (0, 0)))]";
     let spread = |stand: &str| {
         let mut world = field(stand, body);
         (0..10).for_each(|_| world.step());

@@ -85,7 +85,7 @@ pub struct SwingPatch {
     /// Slots of the 3×3 patches around it, or none.
     pub around: [u32; 9],
     /// Keeps the size a multiple of 16 bytes.
-    pub more_unused: [u32; 3],
+    pub unused_more: [u32; 3],
 }
 
 fn entry((number, patch): (usize, &PatchPlan)) -> SwingPatch {
@@ -98,7 +98,7 @@ fn entry((number, patch): (usize, &PatchPlan)) -> SwingPatch {
         unused: [0; 2],
         weights: patch.weights,
         around: patch.around,
-        more_unused: [0; 3],
+        unused_more: [0; 3],
     }
 }
 

@@ -115,7 +115,7 @@ fn store_record(first: u32, record: SwingRecord) {
     records[first] = deviation.x;
     records[first + area] = deviation.y;
     records[first + 2u * area] = bitcast<u32>(record.rate);
-    records[first + 3u * area] = record.step;
+    records[first + 3u * area] = record.stamp;
 }
 
 /// Plants of patches that fade keep a share of their motion; those at rest forget it.
@@ -127,7 +127,7 @@ fn fade_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     var record = load_record(first);
     record.deviation *= entry.keep;
     record.rate *= entry.keep;
-    if stand.now - record.step > stand.coefficients.settle {
+    if swing_is_aged(stand.coefficients, record, stand.now) {
         record = SwingRecord(vec2<f32>(0.0), 0.0, 0u);
     }
     store_record(first, record);

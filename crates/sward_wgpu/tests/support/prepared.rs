@@ -96,6 +96,29 @@ pub(crate) fn plants_solved(gpu: &Gpu) -> Verdict {
     ensure(judge("one step later", &own_joints, &later, &tolerance).is_err(), || "a step later looks the same".to_owned())
 }
 
+/// Plants that swing by themselves: held, let go and at rest, in gusts; at the moment of a step and between two.
+pub(crate) fn swings_solved(gpu: &Gpu) -> Verdict {
+    let text = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: Oscillator())], wind: [Natural(velocity: (4.0, 2.0))],
+        budget: (patches: 25, focus_distance: 10.0), camera: (eye: (0, 2, -4), target: (0, 0, 6)),
+        exclusions: [(area: Road(points: [(-30, 6), (2, 3), (9, 40)], width: 2), soft: 1.5)],
+        interactors: [(shape: Sphere(radius: 1.2), path: Circle(radius: 3.0, speed: 6.0))])";
+    let mut world = World::new(Scene::parse(text, "swings.ron")?, &sward::model::NoAssets)?;
+    (0..80).for_each(|_| world.step());
+    let tolerance = Tolerance { p999: 5e-5, rms: 1e-2, outlier: 1e-4, share: 4e-4 };
+    let [_, own_joints] = on_cpu(&world, 0.0);
+    for behind in [0.0, 0.4] {
+        let [plants, joints] = on_gpu(gpu, &world, behind)?;
+        let [own_plants, earlier] = on_cpu(&world, behind);
+        judge("plants", &own_plants, &plants, &tolerance)?;
+        judge("joints", &earlier, &joints, &tolerance)?;
+        let other = judge("another moment", &own_joints, &earlier, &tolerance).is_err();
+        ensure(other == (behind > 0.0), || format!("{behind} steps before the state"))?;
+    }
+    // Control: as if none had ever been touched.
+    world.state.stands[0].cells.now.iter_mut().for_each(|records| records.fill(0.0));
+    ensure(judge("untouched", &own_joints, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || "bodies left no track".to_owned())
+}
+
 /// A road, a house and a hill that rose: plants that are gone, lower, and higher up.
 pub(crate) fn plants_on_edited_ground(gpu: &Gpu) -> Verdict {
     let text = |more: &str| {

@@ -19,6 +19,11 @@ const STEPS: u64 = 240;
 /// Agreement of bends, rad. The backends differ by rounding of each step, which the wave damps; a cell at a threshold (one push or
 /// another, limited or not) may go its own way for a while, with its neighbours.
 const BEND: Tolerance = Tolerance { p999: 2e-5, rms: 5e-6, outlier: 1e-3, share: 1e-4 };
+/// Agreement of plants that swing by themselves, rad. Whether a body holds one in a step is a comparison: what it is let go with then differs by
+/// the body's motion in a step.
+const SWING: Tolerance = Tolerance { p999: 2e-5, rms: 1e-4, outlier: 5e-3, share: 1e-4 };
+/// Agreement of their rates, rad/s: sixty times a difference of tilts.
+const SWING_RATE: Tolerance = Tolerance { p999: 1e-3, rms: 5e-3, outlier: 0.2, share: 1e-4 };
 /// Agreement of bending velocities, rad/s: sixty times a difference of bends.
 const RATE: Tolerance = Tolerance { p999: 1e-3, rms: 3e-4, outlier: 5e-2, share: 1e-4 };
 /// Agreement of upper segments, rad. Whether a segment bends or recovers is a comparison of two lengths, which are almost equal wherever
@@ -112,6 +117,14 @@ fn cells(world: &World, stand: usize) -> [Vec<f32>; 3] {
             continue;
         }
         let cells = &state.cells.now[awake.slot as usize];
+        if world.model.stands[stand].oscillator.is_some() {
+            // Deviations, a rate of two seconds, and the tilt in the wind.
+            let area = half / 2;
+            found[0].extend_from_slice(&cells[..half]);
+            found[1].extend(cells[half..half + area].iter().map(|rate| 0.5 * rate));
+            found[2].extend_from_slice(&state.cells.old[awake.slot as usize]);
+            continue;
+        }
         found[0].extend_from_slice(&cells[..half]);
         found[1].extend_from_slice(&cells[half..]);
         if awake.lag != NONE && world.model.stands[stand].lag.segments > 1 {
@@ -149,8 +162,9 @@ pub(crate) fn agree(name: &str, a: &World, b: &World, loud: bool) -> Verdict {
         };
         ensure(reasons(left) == reasons(right), || format!("{name}: awake {:?} and {:?}", left.awake, right.awake))?;
         let upper = if a.model.stands[index].chain.is_some() { HELD } else { UPPER };
+        let [bend, rate] = if a.model.stands[index].oscillator.is_some() { [SWING, SWING_RATE] } else { [BEND, RATE] };
         ensure(left.counters == right.counters, || format!("{name}: {:?} and {:?}", left.counters, right.counters))?;
-        let parts = cells(a, index).into_iter().zip(cells(b, index)).zip([("bend", BEND), ("rate", RATE), ("upper", upper)]);
+        let parts = cells(a, index).into_iter().zip(cells(b, index)).zip([("bend", bend), ("rate", rate), ("upper", upper)]);
         for ((left, right), (part, tolerance)) in parts {
             // No patch awake, or none near a focus.
             if left.is_empty() && right.is_empty() {

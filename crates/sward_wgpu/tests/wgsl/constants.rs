@@ -27,6 +27,9 @@ const PLACEMENT: &str = "placement.rs";
 const BEND: &str = "response/continuum/bend.rs";
 const HALF: &str = "response/continuum/half.rs";
 
+const SWING: &str = "response/oscillator/swing.rs";
+const INSTIGATOR: &str = "response/oscillator/instigator.rs";
+const TOUCH: &str = "response/oscillator/touch.rs";
 const PUSH: &str = "response/chain/push.rs";
 const HELD: &str = "response/chain/held.rs";
 
@@ -51,6 +54,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("PLACEMENT_YAW", Source(PLACEMENT, "YAW")),
         ("PLACEMENT_TINT", Source(PLACEMENT, "TINT")),
         ("PLACEMENT_CLUMP", Source(PLACEMENT, "CLUMP")),
+        ("PLACEMENT_VARIETY", Source(PLACEMENT, "VARIETY")),
         ("PLACEMENT_BLADE", Source(PLACEMENT, "BLADE")),
         ("CHAIN_MOST_SEGMENTS", Value(chain::MOST_SEGMENTS as f64)),
         ("CHAIN_BEND_LIMIT", Value(f64::from(chain::BEND_LIMIT))),
@@ -76,6 +80,17 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("HELD_FADE", Source(HELD, "FADE")),
         ("HELD_MOTION", Source(HELD, "MOTION")),
         ("HELD_FRAMES", Source(HELD, "FRAMES")),
+        ("SWING_GRAVITY", Source(SWING, "GRAVITY")),
+        ("SWING_HALF_PI", Value(f64::from(continuum::HALF_PI))),
+        ("SWING_SHORTEST", Source(SWING, "SHORTEST")),
+        ("SWING_FREE", Source(SWING, "FREE")),
+        ("SWING_FULL_TURN", Source(SWING, "FULL_TURN")),
+        ("AIR_NONE", Value(f64::from(state::NONE))),
+        ("INSTIGATOR_BISECTIONS", Source(INSTIGATOR, "BISECTIONS")),
+        ("INSTIGATOR_LOWEST", Source(INSTIGATOR, "LOWEST")),
+        ("INSTIGATOR_MIDDLE", Source(INSTIGATOR, "MIDDLE")),
+        ("TOUCH_UPRIGHT", Source(TOUCH, "UPRIGHT")),
+        ("TOUCH_OPPOSED", Source(TOUCH, "OPPOSED")),
         ("BLADE_FARTHEST", Source("geometry/blade.rs", "FARTHEST")),
         ("CONTINUUM_HALF_PI", Value(f64::from(continuum::HALF_PI))),
         ("CONTINUUM_RATE_LIMIT", Value(f64::from(continuum::RATE_LIMIT))),

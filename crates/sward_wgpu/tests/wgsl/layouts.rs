@@ -11,6 +11,7 @@ use sward::picture::blades::Blade;
 use sward::picture::frame::FrameUniform;
 use sward::placement::PlacementParameters;
 use sward::response::continuum::{Coefficients, LagCoefficients};
+use sward::response::oscillator::OscillatorCoefficients;
 use sward::shading::blade::BladeStyle;
 use sward::shading::look::{Style, Turf};
 use sward::state::Root;
@@ -18,6 +19,7 @@ use sward::terrain::{TerrainAnchor, TerrainDetail, TerrainGrid};
 use sward::wind::{Footprint, Octave, WindBlock};
 use sward_wgpu::compute::blades::{ChainPatch, ChainUniform};
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
+use sward_wgpu::compute::swings::{SwingPatch, SwingStep, SwingUniform};
 use sward_wgpu::render::plants::Plant;
 use sward_wgpu::render::prepare::{PatchDraw, PrepareUniform};
 
@@ -75,7 +77,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         rise,
         body,
         highest,
-        unused
+        stays
     });
     let coefficients = layout!(Coefficients {
         base_speed,
@@ -121,6 +123,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         behind,
         substeps,
         lag,
+        step,
         identity
     });
     let draw = layout!(PatchDraw { offset, patch as "patch_index", anchor, weights, slots, lags, first, count, growth });
@@ -183,6 +186,22 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ),
         ("Root", text_of("step blade by blade"), layout!(Root { at, length, yaw, lean, curl, unused, slope, more_unused })),
         ("SolidHead", text_of("step blade by blade"), layout!(SolidHead { first, count, moment, body, low, high, centre, turn, radii })),
+        ("SwingStand", text_of("prepare plant by plant"), layout!(SwingUniform { coefficients, patch_side, unused })),
+        (
+            "OscillatorCoefficients",
+            text_of("step plant by plant"),
+            layout!(OscillatorCoefficients { stiffness, damping, scale, curve, spreads, dt, wind, follow, pace, settle, texels }),
+        ),
+        (
+            "SwingStep",
+            text_of("step plant by plant"),
+            layout!(SwingStep { placement, coefficients, patch_side, height, level, growing, now, pairs, blocks, count }),
+        ),
+        (
+            "SwingPatch",
+            text_of("step plant by plant"),
+            layout!(SwingPatch { slot, flags, entry, keep, patch as "patch_index", unused, weights, around, unused_more }),
+        ),
         ("Aov", text_of("sky, outputs"), layout!(AovUniform { then, eye, size })),
     ]
 }

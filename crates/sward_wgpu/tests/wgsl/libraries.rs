@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use sward::geometry::{billboard, blade, card, relief};
-use sward::response::{chain, continuum, oscillation};
+use sward::response::{chain, continuum, oscillation, oscillator};
 use sward::{growth, interaction, math, placement, shading, terrain, wind};
 
 use crate::texts::validate;
@@ -20,6 +20,7 @@ const STANDING_STUBS: &str = "fn steady_load(index: u32) -> vec2<f32> { return v
 const HELD_STUBS: &str = "fn push_solid(index: u32) -> SolidHead { var solid: SolidHead; return solid; } \
     fn held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 8> { return array<vec2<f32>, 8>(); } \
     fn held_wind(root: Root) -> vec2<f32> { return root.slope; }";
+const AIR_STUB: &str = "fn air_load(index: u32) -> f32 { return f32(index); }";
 const REST_STUB: &str = "fn rest_node(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 
 /// Name, and the parts that make it complete: what it needs, the host's functions, itself.
@@ -44,6 +45,8 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("held", [&standing[..], &[SOLID_STUB, interaction::solid::WGSL, HELD_STUBS], &chain::HELD_WGSL].concat()),
         ("chain stand", vec![math::WGSL, oscillation::WGSL, chain::WGSL[0], chain::WGSL[1], sward_wgpu::compute::blades::CHAIN_STAND_WGSL]),
         ("chain", [&[math::WGSL, oscillation::WGSL], &chain::WGSL[..]].concat()),
+        ("oscillator", [&[math::WGSL, interaction::WGSL, CONTACT_STUB, oscillation::WGSL, AIR_STUB], &oscillator::WGSL[..]].concat()),
+        ("oscillator's poses", [&[math::WGSL, oscillation::WGSL, AIR_STUB], &oscillator::POSE_WGSL[..]].concat()),
         ("card", vec![math::WGSL, card::WGSL]),
         ("blade", vec![math::WGSL, billboard::WGSL, blade::WGSL]),
         ("relief", vec![RELIEF_STUB, relief::WGSL]),

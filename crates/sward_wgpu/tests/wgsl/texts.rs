@@ -9,6 +9,8 @@ pub(crate) fn assembled() -> Vec<(&'static str, String)> {
     texts.push(("step", compute::passes::assembled()));
     texts.push(("prepare", render::prepare::assembled(Bending::Continuum)));
     texts.push(("prepare blade by blade", render::prepare::assembled(Bending::Chain)));
+    texts.push(("prepare plant by plant", render::prepare::assembled(Bending::Swing)));
+    texts.push(("step plant by plant", compute::swings::assembled()));
     texts.push(("step blade by blade", compute::blades::assembled()));
     texts
 }

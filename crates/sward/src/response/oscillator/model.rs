@@ -123,7 +123,7 @@ impl OscillatorModel {
             wind: (f64::from(oscillator.wind) / (stiffness - GRAVITY)) as f32,
             follow: (1.0 - exp_f64(-own * dt)) as f32,
             pace: (PACE * dt) as f32,
-            settle: settle.ceil().clamp(1.0, f64::from(1 << 28)) as u32,
+            settle: settle.ceil().clamp(1.0, f64::from(1 << 21)) as u32,
             texels: if varies && oscillator.wind > 0.0 { texels } else { 0 },
         };
         Some(Ok(Self { coefficients, frequency: own / std::f64::consts::TAU, damping_ratio: damping / (2.0 * own * length) }))

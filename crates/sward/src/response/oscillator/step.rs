@@ -104,7 +104,7 @@ fn contact(terrain: &Terrain, stand: &StandModel, model: &OscillatorModel, plan:
 
 /// Steps in which all awake patches drop the records of plants long at rest: far apart, and often enough that no count of steps wraps.
 pub fn is_census(now: u32) -> bool {
-    now & ((1 << 28) - 1) == 0
+    now & ((1 << 21) - 1) == 0
 }
 
 /// All plants of a patch keep a share of their motion; those at rest forget it.
@@ -112,10 +112,9 @@ fn fade(co: &OscillatorCoefficients, records: &mut [f32], keep: f32, now: u32) {
     let area = records.len() / 4;
     for cell in 0..area {
         let record = Record::load(records, area, cell);
-        let aged = now.wrapping_sub(record.step) > co.settle;
         let [x, z] = record.deviation;
         let faded = Record { deviation: [keep * x, keep * z], rate: keep * record.rate, ..record };
-        let next = if aged { Record::default() } else { faded };
+        let next = if record.is_aged(co, now) { Record::default() } else { faded };
         next.store(records, area, cell);
     }
 }

@@ -41,8 +41,21 @@ pub struct Record {
     pub deviation: [f32; 2],
     /// Rate along it, rad/s.
     pub rate: f32,
-    /// Steps done when it was so; wraps.
-    pub step: u32,
+    /// The lower 24 bits of the number of steps done when it was so, then a byte: [`FREE`], or how far a body turned it in that step, in 127ths of
+    /// the most that it may.
+    pub stamp: u32,
+}
+
+/// Of a [`Record::stamp`]: no body held the plant at the end of that step.
+const FREE: u32 = 128;
+/// Of a [`Record::stamp`]: the most that a body turns a plant in a step.
+const FULL_TURN: f32 = 127.0;
+
+/// A stamp of step `now`, in which a body turned a plant by `turn` of the most that it may, −1 to 1.
+#[inline(always)]
+pub(super) fn stamp_held(now: u32, turn: f32) -> u32 {
+    let parts = math::floored(math::clamped(turn, -1.0, 1.0) * FULL_TURN + 0.5);
+    (now << 8) | u32::from(parts as i8 as u8)
 }
 
 impl Record {
@@ -50,22 +63,42 @@ impl Record {
     #[inline(always)]
     pub fn load(planes: &[f32], area: usize, cell: usize) -> Self {
         let at = |plane: usize| planes[plane * area + cell];
-        Self { deviation: [at(0), at(1)], rate: at(2), step: at(3).to_bits() }
+        Self { deviation: [at(0), at(1)], rate: at(2), stamp: at(3).to_bits() }
     }
 
     /// Puts it there.
     #[inline(always)]
     pub fn store(&self, planes: &mut [f32], area: usize, cell: usize) {
         let [x, z] = self.deviation;
-        for (plane, value) in [x, z, self.rate, f32::from_bits(self.step)].into_iter().enumerate() {
+        for (plane, value) in [x, z, self.rate, f32::from_bits(self.stamp)].into_iter().enumerate() {
             planes[plane * area + cell] = value;
         }
     }
 
-    /// Seconds since then, `behind` steps before step `now`; negative where a picture looks back into the step in which a body held it.
+    /// Whether a body held the plant then.
     #[inline(always)]
-    fn elapsed(&self, co: &OscillatorCoefficients, now: u32, behind: f32) -> f32 {
-        (now.wrapping_sub(self.step) as i32 as f32 - behind) * co.dt
+    pub fn is_held(&self) -> bool {
+        self.stamp & 0xff != FREE
+    }
+
+    /// Steps from then to step `now`; −2²³ to 2²³, then it wraps.
+    #[inline(always)]
+    pub fn steps_to(&self, now: u32) -> i32 {
+        ((now << 8).wrapping_sub(self.stamp & !0xff) as i32) >> 8
+    }
+
+    /// Whether the plant is long at rest.
+    #[inline(always)]
+    pub(super) fn is_aged(&self, co: &OscillatorCoefficients, now: u32) -> bool {
+        self.steps_to(now) as u32 > co.settle && *self != Self::default()
+    }
+
+    /// The rate with which it swings on if it is let go: the body's, but no faster than it would swing by itself.
+    #[inline(always)]
+    fn own_rate(&self, own: &Own, size: f32) -> f32 {
+        let frequency = own.omega_squared.sqrt();
+        let bound = math::clamped(self.rate, -frequency * size, frequency * (HALF_PI - size));
+        if self.is_held() { bound } else { self.rate }
     }
 
     /// Deviation \[rad\] `behind` steps before step `now`.
@@ -73,24 +106,29 @@ impl Record {
     pub fn at(&self, co: &OscillatorCoefficients, own: &Own, now: u32, behind: f32) -> [f32; 2] {
         let [x, z] = self.deviation;
         let size = (x * x + z * z).sqrt();
-        let tau = self.elapsed(co, now, behind);
-        let [free, _] = advance(size, self.rate, own.gamma, own.omega_squared, tau);
-        // Before the end of the step in which a body held it, it moved with the body.
-        let theta = if tau < 0.0 { size + self.rate * tau } else { free };
-        let share = theta / math::upper(size, SHORTEST);
-        [x * share, z * share]
+        let steps = self.steps_to(now) as f32 - behind;
+        let [free, _] = advance(size, self.own_rate(own, size), own.gamma, own.omega_squared, steps * co.dt);
+        let scale = 1.0 / math::upper(size, SHORTEST);
+        if steps >= 0.0 {
+            return [x * free * scale, z * free * scale];
+        }
+        // A picture looks back into the step in which a body held it: it moved and turned with the body.
+        let share = math::upper(size + self.rate * steps * co.dt, 0.0) * scale;
+        let turn = if self.is_held() { f32::from(self.stamp as u8 as i8) * (co.pace / FULL_TURN) } else { 0.0 };
+        let (sine, cosine) = math::sin_cos(turn * steps);
+        [share * (cosine * x - sine * z), share * (sine * x + cosine * z)]
     }
 
-    /// The same motion as it is `seconds` later, as of step `now`.
+    /// The same motion as it is `seconds` after it was let go, as of step `now`.
     #[inline(always)]
     pub(super) fn later(&self, own: &Own, seconds: f32, now: u32) -> Self {
         let [x, z] = self.deviation;
         let size = math::upper((x * x + z * z).sqrt(), SHORTEST);
-        let [theta, rate] = advance(size, self.rate, own.gamma, own.omega_squared, seconds);
+        let [theta, rate] = advance(size, self.own_rate(own, size), own.gamma, own.omega_squared, seconds);
         // Directions have no sign of their own: one that has swung through leans the other way.
         let (theta, rate, sign) = if theta < 0.0 { (-theta, -rate, -1.0) } else { (theta, rate, 1.0) };
         let share = sign * math::upper(theta, SHORTEST) / size;
-        Self { deviation: [x * share, z * share], rate, step: now }
+        Self { deviation: [x * share, z * share], rate, stamp: (now << 8) | FREE }
     }
 }
 

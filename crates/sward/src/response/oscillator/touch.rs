@@ -1,12 +1,12 @@
 //! What a step does to a plant within reach of bodies: it swings freely unless one holds it farther out.
 //!
 //! Methods §2: contact is unilateral, `H ≥ (free + wind)·d` holds. d starts from where the plant leans and turns towards where bodies push it;
-//! a held plant takes the body's rate along when it is let go. Differs: a hold tightens no faster than the body's own motion can, and 12 rad/s,
+//! a held plant takes the body's rate along when it is let go, its first step included. Differs: a hold tightens no faster than the body's own motion can, and 12 rad/s,
 //! so plants under a body that appears or jumps lie down within a few steps instead of in one. Twin: `touch.wgsl`.
 
 use super::instigator::Push;
 use super::model::OscillatorCoefficients;
-use super::swing::{Own, Record, SHORTEST, limited};
+use super::swing::{Own, Record, SHORTEST, limited, stamp_held};
 use crate::math;
 
 /// No plant leans farther, rad.
@@ -97,13 +97,10 @@ impl Plant {
         if size < SHORTEST {
             (deviation, size) = (towards.map(|part| part * SHORTEST), SHORTEST);
         }
-        // Held in the step before as well?
-        let was_held = self.record.step == now.wrapping_sub(1) && self.record != Record::default();
-        let own = self.own.omega_squared.sqrt();
-        let rate = (hold - (before[0] * before[0] + before[1] * before[1]).sqrt()) / co.dt;
-        let rate = if was_held { math::clamped(rate, -own * hold, own * (HALF_PI - hold)) } else { 0.0 };
+        let leant = (before[0] * before[0] + before[1] * before[1]).sqrt();
         let share = (towards[0] * deviation[0] + towards[1] * deviation[1]) / size;
-        Some(Record { deviation, rate: rate * share, step: now })
+        let turn = if leant > UPRIGHT { math::atan2(before[0] * towards[1] - before[1] * towards[0], along(before)) } else { 0.0 };
+        Some(Record { deviation, rate: (hold - leant) / co.dt * share, stamp: stamp_held(now, turn / co.pace) })
     }
 }
 
@@ -129,6 +126,6 @@ pub fn touch(co: &OscillatorCoefficients, plant: &Plant, pushes: impl Iterator<I
     }
     let free = plant.shown(co, now);
     let held = plant.held(co, &staying, before, free, now);
-    let aged = now.wrapping_sub(plant.record.step) > co.settle && plant.record != Record::default();
+    let aged = plant.record.is_aged(co, now);
     held.or(changed).or(aged.then(Record::default))
 }

@@ -56,7 +56,7 @@ fn touch_shown(co: OscillatorCoefficients, plant: TouchPlant, now: u32) -> vec2<
 }
 
 fn touch_is_empty(record: SwingRecord) -> bool {
-    return all(record.deviation == vec2<f32>(0.0)) && record.rate == 0.0 && record.step == 0u;
+    return all(record.deviation == vec2<f32>(0.0)) && record.rate == 0.0 && record.stamp == 0u;
 }
 
 fn touch_held(co: OscillatorCoefficients, plant: TouchPlant, by: Gathered, before: vec2<f32>, free: vec2<f32>, now: u32) -> Touched {
@@ -79,12 +79,13 @@ fn touch_held(co: OscillatorCoefficients, plant: TouchPlant, by: Gathered, befor
         deviation = towards * SWING_SHORTEST;
         size = SWING_SHORTEST;
     }
-    var rate = 0.0;
-    if plant.record.step == now - 1u && !touch_is_empty(plant.record) {
-        let own = sqrt(plant.own.omega_squared);
-        rate = math_clamped((hold - swing_length(before)) / co.dt, -own * hold, own * (SWING_HALF_PI - hold));
+    let leant = swing_length(before);
+    var turn = 0.0;
+    if leant > TOUCH_UPRIGHT {
+        turn = math_atan2(before.x * towards.y - before.y * towards.x, dot(before, towards));
     }
-    return Touched(true, SwingRecord(deviation, rate * dot(towards, deviation) / size, now));
+    let rate = (hold - leant) / co.dt * (dot(towards, deviation) / size);
+    return Touched(true, SwingRecord(deviation, rate, swing_stamp_held(now, turn / co.pace)));
 }
 
 // The record after the step that makes `now` steps; `stays` is the share of the step for which `leaving` are there
@@ -99,8 +100,7 @@ fn touch_step(co: OscillatorCoefficients, given: TouchPlant, staying: Gathered, 
     if held.changed || let_go.changed {
         return Touched(true, held.record);
     }
-    let aged = now - plant.record.step > co.settle && !touch_is_empty(plant.record);
-    if aged {
+    if swing_is_aged(co, plant.record, now) && !touch_is_empty(plant.record) {
         return Touched(true, SwingRecord(vec2<f32>(0.0), 0.0, 0u));
     }
     return Touched(false, plant.record);
