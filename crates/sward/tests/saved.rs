@@ -32,7 +32,7 @@ fn run(world: &mut World, steps: u32) -> u64 {
 #[test]
 fn continuing_equals_never_having_stopped() {
     let make = |name: &str| if name == "history" { small(", response: Continuum(lag: History)") } else { shipped(name) };
-    for name in ["hello", "crossing", "reed", "downwash", "history"] {
+    for name in ["hello", "crossing", "reed", "downwash", "history", "footsteps"] {
         let mut first = make(name);
         run(&mut first, 137);
         let saved = first.save();
@@ -77,8 +77,9 @@ proptest! {
 
     /// Whatever a damaged payload holds: it is refused, or what comes of it steps on without a panic.
     #[test]
-    fn damaged_payloads_never_panic(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..12), early in any::<bool>()) {
-        let mut world = small("");
+    fn damaged_payloads_never_panic(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..12), early in any::<bool>(), swings in any::<bool>()) {
+        let make = || small(if swings { ", response: Oscillator()" } else { "" });
+        let mut world = make();
         run(&mut world, 3);
         let mut payload = world.save().split_off(22);
         let reach = if early { payload.len().min(400) } else { payload.len() };

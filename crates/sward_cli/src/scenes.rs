@@ -42,6 +42,7 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "endless" at 5.0;
     "blades" at 5.0;
     "grassland" at 4.0;
+    "footsteps" at 5.2;
 };
 
 /// The files that come with sward.

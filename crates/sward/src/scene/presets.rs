@@ -63,9 +63,7 @@ impl Stand {
                 _ => None,
             },
             oscillator: match &self.response {
-                Some(Response::Oscillator(overrides)) => {
-                    Some(self.species.oscillator().tuned(overrides, &trail.clone().key("response"))?)
-                }
+                Some(Response::Oscillator(overrides)) => Some(self.species.oscillator().tuned(overrides, &trail.clone().key("response"))?),
                 _ => None,
             },
             billboard: match &self.representation {

@@ -49,7 +49,8 @@ pub(crate) fn touched(world: &World) -> Vec<((PatchKey, u32), Found)> {
             if record == Record::default() {
                 continue;
             }
-            let plant = placement::plant(&stand.placement, *patch, [cell % stand.cells, cell / stand.cells]).expect("only plants are touched");
+            let plant =
+                placement::plant(&stand.placement, *patch, [cell % stand.cells, cell / stand.cells]).expect("only plants are touched");
             let own = Own::of(&coefficients(world), placement::variety(&stand.placement, *patch, cell), plant.height);
             let root = [0, 1].map(|axis| f64::from(patch[axis]) * stand.patch_side + f64::from(plant.root[axis]));
             found.push(((*patch, cell), Found { root, own, record }));

@@ -86,7 +86,9 @@ fn steepest(tilt: impl Fn(f32, f32, f32) -> f32) -> f32 {
 fn it_is_continuous_everywhere() {
     let ours = steepest(|share, clearance, rod| least_tilt(share, clearance, 1.0, 0.5, rod));
     // The plain rule: the tangent wherever the upright rod is inside.
-    let plain = steepest(|share, clearance, rod| if least_tilt(share, clearance, 1.0, 0.5, rod) > 0.0 { article(f64::from(share), 0.5) as f32 } else { 0.0 });
+    let plain = steepest(
+        |share, clearance, rod| if least_tilt(share, clearance, 1.0, 0.5, rod) > 0.0 { article(f64::from(share), 0.5) as f32 } else { 0.0 },
+    );
     println!("steepest per thousandth: {ours:.3} rad; plain rule {plain:.2}");
     // A tip just touched from above leaves sideways: a root, √(2·0.5 mm/0.4 m) = 0.05 at its very beginning.
     assert!(ours < 0.1, "{ours}");

@@ -66,7 +66,8 @@ fn a_body_that_teleports_drags_nothing_along() {
         world.step();
     }
     let near = |root: [f64; 2]| root.iter().all(|metres| metres.abs() < 50.0);
-    let left = touched(&world).iter().filter(|(_, found)| near(found.root)).map(|(_, found)| length(found.at(&world, 0.0))).fold(0.0, f32::max);
+    let left =
+        touched(&world).iter().filter(|(_, found)| near(found.root)).map(|(_, found)| length(found.at(&world, 0.0))).fold(0.0, f32::max);
     assert!(left < 1e-3, "{left}");
 }
 

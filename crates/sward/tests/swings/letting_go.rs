@@ -5,7 +5,8 @@ use sward::world::World;
 
 use super::field::{Found, coefficients, field, length, touched};
 
-const STAND: &str = "height: (0.4, 0.4), clumping: 0, response: Oscillator(frequency: 1.7, damping: 0.18, spread_stiffness: 0, spread_damping: 0)";
+const STAND: &str =
+    "height: (0.4, 0.4), clumping: 0, response: Oscillator(frequency: 1.7, damping: 0.18, spread_stiffness: 0, spread_damping: 0)";
 
 /// A ball that vanishes after a second, at `rate` steps a second, as it is at `time` s.
 fn ball(rate: u32, until: f64, time: f64) -> World {

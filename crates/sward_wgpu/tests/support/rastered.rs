@@ -101,6 +101,15 @@ pub(crate) fn detail(gpu: &Gpu) -> Verdict {
     })
 }
 
+/// Plants that swing by themselves, as blades and as billboards.
+pub(crate) fn footsteps(gpu: &Gpu) -> Verdict {
+    same_changed(gpu, "footsteps", 3.0, |scene| scene.budget.visible_blades = 60_000)?;
+    same_changed(gpu, "footsteps", 3.0, |scene| {
+        scene.stands[0].representation = None;
+        scene.stands[0].cells = 128;
+    })
+}
+
 /// Blades and billboards in one picture.
 pub(crate) fn blades(gpu: &Gpu) -> Verdict {
     same_changed(gpu, "hello", 6.2, |scene| {

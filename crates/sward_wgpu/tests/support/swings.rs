@@ -110,7 +110,8 @@ pub(crate) fn tilts(gpu: &Gpu) -> Verdict {
         input.extend(random.words);
         bits([least_tilt(share, clearance, radius, half, rod)])
     };
-    let host = [STUBS, "fn twin() { let a = next_v(); let b = next_v(); put_f(instigator_least_tilt(a.x, a.y, b.x, b.y, next_f())); }"].concat();
+    let host =
+        [STUBS, "fn twin() { let a = next_v(); let b = next_v(); put_f(instigator_least_tilt(a.x, a.y, b.x, b.y, next_f())); }"].concat();
     let tolerance = Tolerance { p999: 1e-4, rms: 5e-5, outlier: 1e-3, share: 1e-4 };
     Twin { name: "least tilts", library: &library(), host: &host, tables: &[], rust }.check(gpu, By::Absolute(tolerance))
 }
@@ -189,7 +190,9 @@ const LEVEL: &str = "(version: 1, field: (patch_side: 8), stands: [(species: Law
 fn held(world: &World) -> usize {
     let stand = &world.state.stands[0];
     let now = (world.state.step as u32) << 8;
-    let records = stand.awake.values().flat_map(|awake| stand.cells.now[awake.slot as usize].chunks_exact(stand.cells.now[awake.slot as usize].len() / 4).nth(3).into_iter().flatten());
+    let records = stand.awake.values().flat_map(|awake| {
+        stand.cells.now[awake.slot as usize].chunks_exact(stand.cells.now[awake.slot as usize].len() / 4).nth(3).into_iter().flatten()
+    });
     records.filter(|stamp| stamp.to_bits() & !0xff == now).count()
 }
 

@@ -17,6 +17,8 @@ const LARGEST: f64 = 16.0;
 const PACE: f64 = 12.0;
 /// Distance of the texels at which the wind's tilt is kept, m; less if cells are larger.
 const TEXEL: f64 = 0.7;
+/// Most steps until rest: records count 2²³.
+const LONGEST: u32 = 1 << 21;
 /// Most texels along a patch side.
 const MOST_TEXELS: u32 = 256;
 
@@ -123,7 +125,7 @@ impl OscillatorModel {
             wind: (f64::from(oscillator.wind) / (stiffness - GRAVITY)) as f32,
             follow: (1.0 - exp_f64(-own * dt)) as f32,
             pace: (PACE * dt) as f32,
-            settle: settle.ceil().clamp(1.0, f64::from(1 << 21)) as u32,
+            settle: (settle.ceil() as u32).clamp(1, LONGEST),
             texels: if varies && oscillator.wind > 0.0 { texels } else { 0 },
         };
         Some(Ok(Self { coefficients, frequency: own / std::f64::consts::TAU, damping_ratio: damping / (2.0 * own * length) }))

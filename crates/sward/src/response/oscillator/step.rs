@@ -147,9 +147,8 @@ impl Touching<'_> {
 
     fn cell(&self, block: &Block, cell: [u32; 2], index: usize, records: &[f32], area: usize) -> Option<Record> {
         let pairs = &self.pairs.pairs[block.first as usize..][..block.count as usize];
-        let over = |corner: [i32; 2], size: [i32; 2]| {
-            (0..2).all(|axis| (0..size[axis]).contains(&(cell[axis] as i32).wrapping_sub(corner[axis])))
-        };
+        let over =
+            |corner: [i32; 2], size: [i32; 2]| (0..2).all(|axis| (0..size[axis]).contains(&(cell[axis] as i32).wrapping_sub(corner[axis])));
         if !pairs.iter().any(|pair| over(pair.corner, self.plan.contacts[pair.contact as usize].size)) {
             return None;
         }
