@@ -1,5 +1,5 @@
 //! What must cost nothing, or next to nothing, as ratios of times in ABBA order: a larger terrain, patches asleep, many bodies.
-//! `cargo bench -p sward --bench claims`; a claim holds if the upper end of its interval does. It only prints what it finds: time is
+//! `cargo bench -p sward --bench claims`, with `-- swings` only what swings; a claim holds if the upper end of its interval does. It only prints what it finds: time is
 //! noisy, so its exit status says nothing of the claims. That no work is done is tested by counters (`properties::placement`,
 //! `properties::activation`).
 
@@ -8,8 +8,11 @@ mod measure;
 use std::time::Instant;
 
 use measure::{PAIRS, median, pair, seconds};
+use rayon::prelude::*;
+use sward::lanes::Lanes;
 use sward::model::NoAssets;
 use sward::response::continuum::Stage;
+use sward::response::oscillator::Poses;
 use sward::scene::Scene;
 use sward::world::World;
 
@@ -63,6 +66,9 @@ fn crowded() -> World {
 }
 
 fn main() {
+    if std::env::args().any(|argument| argument == "swings") {
+        return swinging();
+    }
     let steps = |world: &mut World, count: u32| seconds(|| (0..count).for_each(|_| world.step()));
 
     let (mut small, mut large) = (of_size(88), of_size(8800));
@@ -83,6 +89,8 @@ fn main() {
         .collect();
     report("a step with all 225 patches asleep against all awake", 0.01, &mut ratios);
 
+    swinging();
+
     let mut crowd = crowded();
     println!("{} bodies, {} patches awake", crowd.model.bodies.len(), count(&crowd));
     let times: Vec<[f64; 2]> = (0..2 * PAIRS).map(|_| contact_of_step(&mut crowd)).collect();
@@ -90,6 +98,52 @@ fn main() {
     println!("contact {contact:.2} ms of {step:.2} ms");
     let mut shares: Vec<f64> = times.iter().map(|[contact, step]| contact / step).collect();
     report("contact of 512 bodies, share of a step", 0.05, &mut shares);
+}
+
+fn swinging() {
+    let [mut rates, mut nanoseconds] = swings();
+    let [low, middle, high] = median(&mut rates);
+    let verdict = if low >= 0.25 { "holds" } else { "does not hold here" };
+    println!(
+        "a million plants that swing, rate of a copy of their records: {middle:.3} ({low:.3} to {high:.3}); claimed at least 0.25: {verdict}"
+    );
+    println!("{:.2} ns a plant on all threads", median(&mut nanoseconds)[1] / 2.0);
+}
+
+/// Rates of evaluating a million plants over those of copying their records, and nanoseconds a plant; both on all threads there are.
+fn swings() -> [Vec<f64>; 2] {
+    const PATCHES: usize = 64;
+    const AREA: usize = 128 * 128;
+    let world = world("stands: [(species: Meadow, response: Oscillator())]");
+    let stand = &world.model.stands[0];
+    let co = stand.oscillator.as_ref().expect("it swings").coefficients;
+    let chance = |k: usize| f32::from(((k * 2_654_435_761) >> 7) as u8) / 128.0 - 1.0;
+    let records: Vec<f32> = (0..PATCHES * 4 * AREA)
+        .map(|k| match k / AREA % 4 {
+            0 | 1 => chance(k),
+            2 => 4.0 * chance(k),
+            _ => f32::from_bits(((1000 - (k % 90) as u32) << 8) | 128),
+        })
+        .collect();
+    let heights: Vec<f32> = (0..PATCHES * AREA).map(|k| 0.4 + 0.1 * chance(k)).collect();
+    let mut out = [vec![0.0; PATCHES * AREA], vec![0.0; PATCHES * AREA]];
+    let mut copy = records.clone();
+    let mut evaluate = || {
+        let [x, z] = &mut out;
+        let work =
+            records.par_chunks(4 * AREA).zip(heights.par_chunks(AREA)).zip(x.par_chunks_mut(AREA).zip(z.par_chunks_mut(AREA))).enumerate();
+        seconds(|| {
+            work.for_each(|(k, ((records, heights), (x, z)))| {
+                let poses = Poses { co: &co, placement: &stand.placement, patch: [k as i32, 0], records, heights, now: 1000, behind: 0.0 };
+                poses.write(Lanes::default(), [x, z]);
+            });
+        })
+    };
+    let mut copied =
+        || seconds(|| copy.par_chunks_mut(4 * AREA).zip(records.par_chunks(4 * AREA)).for_each(|(to, from)| to.copy_from_slice(from)));
+    let pairs: Vec<[f64; 2]> = (0..PAIRS).map(|number| pair(number, &mut evaluate, &mut copied)).collect();
+    let rates = pairs.iter().map(|[evaluated, copied]| copied / evaluated).collect();
+    [rates, pairs.iter().map(|[evaluated, _]| 1e9 * evaluated / (PATCHES * AREA) as f64).collect()]
 }
 
 /// Seconds of the contact stage, and of the step it is part of.

@@ -1,16 +1,17 @@
 //! The world: a scene, its compiled model and its state. One step is one page.
 
+mod asked;
+mod bodies;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::activation::{BAND, Circumstances, Sharing, activate, keep};
 use crate::interaction::solid::{Solids, WorldSolid};
-use crate::interaction::{Contact, Footprint, Grid, Piece, Pose, Station, pose_on_path, stand_on, station, swept, swept_between};
+use crate::interaction::{Contact, Footprint, Pose, Station, station};
 use crate::lanes::Lanes;
 use crate::model::{Assets, Blower, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, around, patches_under, weights};
-use crate::response::chain::{ChainModel, Standing};
-use crate::response::oscillator::{self, Air, OscillatorModel, Own, Record};
-use crate::response::{Stage, chain, continuum};
+use crate::response::{Stage, chain, continuum, oscillator};
 use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
 use crate::state::{BodyState, NONE, PatchKey, StandState, State, Summary, TILE};
 use crate::terrain::TerrainError;
@@ -248,66 +249,6 @@ impl World {
         }
     }
 
-    /// β \[rad\] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps. Of a stand that moves
-    /// blade by blade: of the tip of an upright blade that nobody has touched.
-    /// `None` for an unknown stand. Where a GPU steps, download its cells first: the answer is of the cells held here.
-    pub fn bend_at(&self, stand: usize, ground: [f64; 2]) -> Option<[f32; 2]> {
-        let (model, state) = (self.model.stands.get(stand)?, self.state.stands.get(stand)?);
-        let side = i64::from(model.cells);
-        let cell = ground.map(|metres| (metres / model.spacing).floor() as i64);
-        let patch = cell.map(|k| k.div_euclid(side) as i32);
-        let [i, j] = cell.map(|k| k.rem_euclid(side));
-        if let Some(chain) = &model.chain {
-            let local = [0, 1].map(|axis: usize| (ground[axis] - f64::from(patch[axis]) * model.patch_side) as f32);
-            return Some(self.blade_bend(model, chain, state, patch, local));
-        }
-        if let Some(oscillator) = &model.oscillator {
-            return Some(self.swing(model, oscillator, state, patch, [i as u32, j as u32]));
-        }
-        match state.awake.get(&patch).or_else(|| state.awake.get(&TILE)).and_then(|awake| state.cells.now.get(awake.slot as usize)) {
-            Some(cells) => {
-                let at = (j * side + i) as usize;
-                Some([cells[at], cells[(side * side) as usize + at]])
-            }
-            None => Some(continuum::Rest::of(&self.wind(model), patch, model.cells, model.species.continuum.wind).at(i as i32, j as i32)),
-        }
-    }
-
-    /// How far the tip of an upright blade without a state leans at a place of a patch.
-    fn blade_bend(&self, stand: &StandModel, chain: &ChainModel, state: &StandState, patch: PatchKey, local: [f32; 2]) -> [f32; 2] {
-        let wind = self.wind(stand);
-        let phases = wind.patch_phases(patch, stand.cells / continuum::NODE_CELLS);
-        let slots = around(state, patch, |awake| awake.slot);
-        let standing = Standing { chain, around: slots, weights: weights(state, patch), patch_side: stand.patch_side as f32 };
-        let moments = standing.moments(&state.cells.now, local, || wind.velocity_local(&phases, local));
-        let bends = standing.pose(&chain::UPRIGHT, 0.0, &moments);
-        let mut leans = [[0.0; 2]; chain::MOST_SEGMENTS];
-        chain::leans(chain, &chain::UPRIGHT, [1.0, 0.0], [0.0; 2], &bends, &mut leans);
-        leans[chain.coefficients.segments as usize - 1]
-    }
-
-    /// How far the plant of a cell leans that swings by itself; in the wind of the cell's middle where none grows.
-    fn swing(&self, stand: &StandModel, oscillator: &OscillatorModel, state: &StandState, patch: PatchKey, cell: [u32; 2]) -> [f32; 2] {
-        let (co, wind, cells) = (&oscillator.coefficients, self.wind(stand), &state.cells);
-        let phases = wind.patch_phases(patch, stand.cells / continuum::NODE_CELLS);
-        let (around, weights) = (around(state, patch, |awake| awake.slot), weights(state, patch));
-        let air = Air { co, levels: &cells.old, around, weights, patch_side: stand.patch_side as f32 };
-        let middle = cell.map(|at| (at as f32 + 0.5) * stand.placement.spacing);
-        let plant = crate::placement::plant(&stand.placement, patch, cell);
-        let root = plant.map_or(middle, |plant| plant.root);
-        let [x, z] = air.at(root, 0.0, || wind.velocity_local(&phases, root));
-        let index = cell[1] * stand.cells + cell[0];
-        let slot = state.awake.get(&patch).map(|awake| awake.slot as usize);
-        let found = slot.and_then(|slot| cells.now.get(slot).zip(cells.ground.get(slot))).zip(plant);
-        let [dx, dz] = found.map_or([0.0; 2], |((planes, ground), plant)| {
-            let grown = ground.grown.get(index as usize).map_or(Some(plant), |growth| crate::placement::grown(plant, *growth));
-            let height = grown.map_or(0.0, |plant| plant.height);
-            let own = Own::of(co, crate::placement::variety(&stand.placement, patch, index), height);
-            Record::load(planes, planes.len() / 4, index as usize).at(co, &own, self.state.step as u32, 0.0)
-        });
-        oscillator::limited([x + dx, z + dz])
-    }
-
     /// A fingerprint of the state's cells: see [`State::hash`].
     pub fn hash(&self) -> u64 {
         self.state.hash()
@@ -359,105 +300,6 @@ impl World {
         let nearest = self.state.focuses.iter().map(away).fold(f64::MAX, f64::min);
         let (sine, cosine) = crate::math::sin_cos_f64(0.5 * f64::from(self.scene.camera.field_of_view));
         (540.0 * cosine / sine / nearest.max(NEAREST)) as f32
-    }
-
-    fn pose(&self, index: usize, time: f64) -> Option<Pose> {
-        let (interactor, body) = (&self.scene.interactors[index], &self.model.bodies[index]);
-        if time < interactor.from || time >= interactor.until {
-            return None;
-        }
-        let driven = match interactor.path {
-            Path::Driven(_) => self.state.bodies[index].driven,
-            _ => None,
-        };
-        Some(match driven {
-            Some((ground, yaw, clearance)) => stand_on(ground, yaw, clearance, body.half, interactor.follow_ground, &self.model.terrain),
-            None => pose_on_path(interactor, body.half, &self.model.terrain, time),
-        })
-    }
-
-    /// Poses at the end of the coming step. Returns the pieces of bodies whose own parts move, before and after the step, in body order.
-    fn move_bodies(&mut self) -> Vec<Vec<[Piece; 2]>> {
-        let time = (self.state.step + 1) as f64 * self.model.dt;
-        for index in 0..self.state.bodies.len() {
-            let next = self.pose(index, time);
-            let body = &mut self.state.bodies[index];
-            let jumped = |from: &Pose, to: &Pose| {
-                let way = [to.ground[0] - from.ground[0], to.ground[1] - from.ground[1]];
-                (way[0] * way[0] + way[1] * way[1]).sqrt() > JUMP * self.model.dt
-            };
-            body.before = match (&body.pose, &next) {
-                (Some(from), Some(to)) if !jumped(from, to) => Some(*from),
-                _ => next,
-            };
-            let elapsed = time - self.scene.interactors[index].from;
-            body.clock = [if body.before == next && next != body.pose { elapsed } else { elapsed - self.model.dt }, elapsed];
-            body.pose = next;
-        }
-        self.model.bodies.iter().zip(&self.state.bodies).map(|(body, state)| body.pieces_between(state)).collect()
-    }
-
-    /// The bodies as solids, of a stand that moves blade by blade; none too high to touch it.
-    fn solids(&self, stand: &StandModel, moving: &[Vec<[Piece; 2]>]) -> Vec<WorldSolid> {
-        let mut solids = Vec::new();
-        let bodies = self.model.bodies.iter().zip(&self.state.bodies).enumerate().filter(|_| stand.chain.is_some());
-        for (index, (body, state)) in bodies {
-            let (Some(before), Some(now)) = (&state.before, &state.pose) else { continue };
-            let pieces: Vec<&Piece> = match body.is_animated() {
-                true => moving[index].iter().map(|[_, after]| after).collect(),
-                false => body.pieces.iter().collect(),
-            };
-            solids.extend(WorldSolid::during(&pieces, before, now, index as u32));
-        }
-        let height = f64::from(stand.species.height[1]);
-        solids.retain(|solid| {
-            let [low, high] = solid.reach();
-            let ground = self.model.terrain.height_at(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]));
-            // With room for slopes.
-            let reach = 0.5 * ((high[0] - low[0]) + (high[1] - low[1]));
-            solid.lowest() - ground < height + reach
-        });
-        solids
-    }
-
-    /// Footprints that bodies sweep, in body order, of a stand that moves as a whole. `moving`: pieces of bodies whose own parts move, before and after
-    /// the step.
-    fn footprints(&self, stand: &StandModel, moving: &[Vec<[Piece; 2]>]) -> Vec<Footprint> {
-        if stand.chain.is_some() {
-            return Vec::new();
-        }
-        let grid = Grid { spacing: stand.spacing, plant_height: stand.coefficients.plant_height };
-        let mut footprints = Vec::new();
-        for (index, (body, state)) in self.model.bodies.iter().zip(&self.state.bodies).enumerate() {
-            let (dt, body_index) = (self.model.dt, index as u32);
-            if stand.oscillator.is_some()
-                && let Some((before, last, share)) = self.leaving(index)
-            {
-                let found = body.pieces.iter().filter_map(|piece| swept(piece, &before, &last, share * dt, &grid, body_index));
-                footprints.extend(found.map(|print| Footprint { contact: Contact { stays: share as f32, ..print.contact }, ..print }));
-            }
-            let (Some(before), Some(now)) = (&state.before, &state.pose) else { continue };
-            if body.is_animated() {
-                let pairs = moving[index].iter();
-                footprints.extend(pairs.filter_map(|[a, b]| swept_between([a, b], before, now, dt, &grid, body_index)));
-            } else {
-                footprints.extend(body.pieces.iter().filter_map(|piece| swept(piece, before, now, dt, &grid, body_index)));
-            }
-        }
-        footprints
-    }
-
-    /// Where a body that vanishes within the coming step is before it and at its last moment, and the share of the step for which it is there.
-    fn leaving(&self, index: usize) -> Option<(Pose, Pose, f64)> {
-        let (dt, until) = (self.model.dt, self.scene.interactors[index].until);
-        let share = until / dt - self.state.step as f64;
-        if share <= 0.0 || self.state.bodies[index].pose.is_some() {
-            return None;
-        }
-        let share = if share < 1.0 { share } else { 1.0 };
-        let before = self.pose(index, self.state.step as f64 * dt)?;
-        // The last number below it.
-        Some((before, self.pose(index, f64::from_bits(until.to_bits() - 1))?, share))
     }
 
     fn activate(&mut self, index: usize, footprints: &[Footprint], solids: &[WorldSolid], camera: &View) {

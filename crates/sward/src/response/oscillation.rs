@@ -18,7 +18,7 @@ pub const TIME_LIMIT: f32 = 1e6;
 /// Largest deviation and velocity at the start; more counts as this much.
 pub const START_LIMIT: f32 = 1e9;
 /// `|ω₀² − γ²|τ²` below which both cases are one series.
-const CRITICAL: f32 = 0.01;
+pub(super) const CRITICAL: f32 = 0.01;
 
 /// `e^(−γτ)` times cosine and times sine over frequency: C and S of methods §2, decay included.
 #[inline(always)]

@@ -9,5 +9,6 @@ mod instigator;
 mod jumps;
 mod letting_go;
 mod many;
+mod poses;
 mod standing;
 mod tuning;

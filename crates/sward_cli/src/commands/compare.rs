@@ -126,7 +126,9 @@ fn compared(cpu: &World, gpu: &World, agreement: &Agreement) -> Vec<Row> {
                 return parts.flatten().copied().collect();
             }
             let cells = world.state.stands[index].cells.now.get(slot as usize);
-            let range = if upper_half { half..2 * half } else { 0..half };
+            // The last plane of plants that swing by themselves counts steps.
+            let end = if model.oscillator.is_some() { half + half / 2 } else { 2 * half };
+            let range = if upper_half { half..end } else { 0..half };
             cells.and_then(|cells| cells.get(range)).unwrap_or_default().to_vec()
         };
         for (stage, unit, upper_half, tolerance) in [("bend", "rad", false, agreement.bend), ("rate", "rad/s", true, agreement.rate)] {

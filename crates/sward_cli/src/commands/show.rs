@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use sward::response::StandModel;
 use sward::response::chain::ChainModel;
+use sward::response::oscillator::{self, OscillatorModel};
 use sward::scene::{Flow, Interactor, Path, Precision, Scene, Shape, Terrain, WindSource};
 use sward::state::Root;
 use sward::world::World;
@@ -130,6 +131,9 @@ fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) ->
     if let Some(chain) = &stand.chain {
         return text + &show_blades(world, stand, chain);
     }
+    if let Some(oscillator) = &stand.oscillator {
+        return text + &show_swings(world, index, stand, oscillator);
+    }
     // λ = 1 − e^(−ζ√κ/30), solved for ζ.
     let damping = -30.0 * (1.0 - continuum.lambda_theta).ln() / continuum.kappa.sqrt();
     let frequency = continuum.frequency();
@@ -144,17 +148,43 @@ fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) ->
     let segments = stand.lag.segments;
     let trail = format!("the tip trails by {} s bending, {} s standing up", continuum.gamma_top, continuum.gamma_recover);
     line(&mut text, "", &format!("{segments} segment{} a plant; {trail}", plural(segments)));
-    if let Some(blade) = &stand.species.blade {
-        let [near, middle, far] = blade.pieces;
-        let more = format!("{near}, {middle}, {far} pieces from near to far");
-        line(&mut text, "", &format!("{} blade{} a plant, strips of {more}", blade.blades, plural(blade.blades)));
-    }
+    show_strips(&mut text, stand);
     let precision = &world.scene.budget.precision;
     let (patch, upper) = (patch_bytes(world, stand, precision), lag_bytes(stand));
     let total = budget_bytes(world, index, precision) as f64 / MEGABYTE;
     let backend = if *precision == Precision::Half { " on a GPU" } else { "" };
     let cost = format!("{} bytes a patch and {} for its upper segments; {total:.1} MB at most{backend}", grouped(patch), grouped(upper));
     line(&mut text, "", &cost);
+    text
+}
+
+/// How many blades its plants have, where they are drawn as blades.
+fn show_strips(text: &mut String, stand: &StandModel) {
+    if let Some(blade) = &stand.species.blade {
+        let [near, middle, far] = blade.pieces;
+        let more = format!("{near}, {middle}, {far} pieces from near to far");
+        line(text, "", &format!("{} blade{} a plant, strips of {more}", blade.blades, plural(blade.blades)));
+    }
+}
+
+/// How a stand moves in which every plant swings by itself.
+fn show_swings(world: &World, index: usize, stand: &StandModel, oscillator: &OscillatorModel) -> String {
+    let mut text = String::new();
+    let co = &oscillator.coefficients;
+    let creeps = if oscillator.damping_ratio < 1.0 { "" } else { " (creeps back)" };
+    line(&mut text, "", &format!("swings at {:.2} Hz, damping ratio {:.2}{creeps}", oscillator.frequency, oscillator.damping_ratio));
+    let [stiffness, damping] = co.spreads.map(|share| 100.0 * share);
+    let (k, b) = (co.stiffness, co.damping);
+    let spread = format!("k {k:.1} m/s²/rad, {stiffness:.0} % more or less from plant to plant, b {b:.2} m/s, {damping:.0} %");
+    line(&mut text, "", &spread);
+    let rest = f64::from(co.settle) * world.model.dt;
+    let lean = sward::wind::equilibrium([4.0, 0.0], co.wind)[0].to_degrees();
+    line(&mut text, "", &format!("at rest {rest:.1} s after a body; in wind of 4 m/s it leans by {lean:.0} degrees"));
+    show_strips(&mut text, stand);
+    let [records, air] = oscillator::sizes(oscillator, stand.cells).map(|numbers| NUMBER * numbers as u64);
+    let total = (records + air) as f64 * world.state.stands[index].free.len() as f64 / MEGABYTE;
+    let wind = if air > 0 { format!(" and {} for the wind", grouped(air)) } else { String::new() };
+    line(&mut text, "", &format!("{} bytes a patch{wind}; {total:.1} MB at most", grouped(records)));
     text
 }
 

@@ -10,6 +10,7 @@
 //! |---|---|
 //! | `model` | frequency, damping, k, b, l₀ of a species, and what a step reads |
 //! | `swing` | where a plant is at a time |
+//! | `poses` | the same for all plants of a patch |
 //! | `instigator` | how far a body makes a plant lean, and where to |
 //! | `touch` | what a step does to a plant within reach of bodies |
 //! | `air` | the tilt in the wind, which follows it as slowly as plants do |
@@ -20,6 +21,7 @@ mod air;
 mod blocks;
 mod instigator;
 mod model;
+mod poses;
 mod step;
 mod swing;
 mod touch;
@@ -28,6 +30,7 @@ pub use air::{Air, AirStep};
 pub use blocks::{BLOCK, Block, Blocks};
 pub use instigator::{Push, least_tilt, push};
 pub use model::{GRAVITY, OscillatorCoefficients, OscillatorError, OscillatorModel};
+pub use poses::Poses;
 pub use step::{ground_of, is_census, sizes, step as step_stand};
 pub use swing::{Own, Record, curved, limited};
 pub use touch::{Plant, touch};

@@ -7,9 +7,9 @@ use crate::math;
 use crate::response::oscillation::advance;
 
 /// As [`super::GRAVITY`].
-const GRAVITY: f32 = 9.81;
+pub(super) const GRAVITY: f32 = 9.81;
 /// No plant leans farther, rad.
-const HALF_PI: f32 = std::f32::consts::FRAC_PI_2;
+pub(super) const HALF_PI: f32 = std::f32::consts::FRAC_PI_2;
 /// A deviation shorter than this has no direction.
 pub(super) const SHORTEST: f32 = 1e-6;
 
@@ -47,9 +47,9 @@ pub struct Record {
 }
 
 /// Of a [`Record::stamp`]: no body held the plant at the end of that step.
-const FREE: u32 = 128;
+pub(super) const FREE: u32 = 128;
 /// Of a [`Record::stamp`]: the most that a body turns a plant in a step.
-const FULL_TURN: f32 = 127.0;
+pub(super) const FULL_TURN: f32 = 127.0;
 
 /// A stamp of step `now`, in which a body turned a plant by `turn` of the most that it may, −1 to 1.
 #[inline(always)]

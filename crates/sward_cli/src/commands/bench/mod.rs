@@ -8,6 +8,7 @@ use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
+use sward::response::StandModel;
 use sward::world::World;
 use sward_wgpu::gpu::Gpu;
 
@@ -68,8 +69,8 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
     let half_to_full = device::half_to_full(&mut world, &mut backend, &mut progress)?;
     let mut triad = Triad::new();
     let mut measured = Vec::new();
-    // Blades have no cells whose bytes could be counted.
-    if on == Where::Cpu && world.model.stands.iter().all(|stand| stand.chain.is_none()) {
+    // Blades, and plants that swing by themselves, have no cells of which every one is read.
+    if on == Where::Cpu && world.model.stands.iter().all(|stand| stand.chain.is_none() && stand.oscillator.is_none()) {
         for pair in 0..PAIRS {
             measured.push(pair_of(&mut world, &mut triad, pair % 2 == 0));
             progress.advance();
@@ -115,16 +116,21 @@ fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Re
     let plan = stages.time("plan: bodies, wind, activation", || world.plan());
     // Of all stands together.
     let names = ["rest", "contact", "wave", "upper segments", "virtual blades", "blades with a state"];
-    let by_blade = world.model.stands.iter().filter(|stand| stand.chain.is_some()).count();
+    let is_there = |kind: fn(&StandModel) -> bool| world.model.stands.iter().any(kind);
+    let by_blade = is_there(|stand| stand.chain.is_some());
+    let swinging = is_there(|stand| stand.oscillator.is_some());
+    let continuum = is_there(|stand| stand.chain.is_none() && stand.oscillator.is_none()) || !(by_blade || swinging);
+    let shown = [continuum || swinging, continuum || swinging, continuum, continuum, by_blade, by_blade];
     let (mut spent, mut begun) = ([0.0; 6], Instant::now());
     let summaries = world.respond_in_stages(&plan, &mut |stage| {
         spent[stage as usize] += 1e3 * begun.elapsed().as_secs_f64();
         begun = Instant::now();
     });
-    let (continuum, blades) = spent.split_at(4);
-    let shown = [(by_blade < world.model.stands.len() || by_blade == 0, continuum), (by_blade > 0, blades)];
-    let named = names.into_iter().zip(shown.into_iter().flat_map(|(has, spent)| spent.iter().map(move |time| (has, *time))));
-    named.filter(|(_, (has, _))| *has).for_each(|(name, (_, milliseconds))| stages.add(name, milliseconds));
+    for ((name, has), milliseconds) in names.into_iter().zip(shown).zip(spent) {
+        if has {
+            stages.add(name, milliseconds);
+        }
+    }
     stages.time("file summaries", || world.finish(summaries));
     Ok(())
 }

@@ -6,6 +6,7 @@ use npyz::{AutoSerialize, WriterBuilder};
 use sward::response::StandModel;
 use sward::response::chain::{ChainModel, loaded};
 use sward::response::continuum::NODE_CELLS;
+use sward::response::oscillator::Record;
 use sward::state::{BodyState, PatchKey, Root, StandState};
 use sward::wind::WindField;
 use sward::world::World;
@@ -97,6 +98,9 @@ impl Writer<'_> {
         if let Some(chain) = &model.chain {
             return self.blades(index, chain, &stem);
         }
+        if model.oscillator.is_some() {
+            return self.swings(index, &stem);
+        }
         let fields =
             [("beta", "bend of each cell, as a vector over the ground", "rad"), ("omega", "bending velocity of each cell", "rad/s")];
         let axes = [("patch", patches), ("cell z", cells), ("cell x", cells), ("x, z", 2)];
@@ -106,6 +110,32 @@ impl Writer<'_> {
             self.save(entry, "<f4", &axes, awake.into_iter().flat_map(|cells| pairs(cells, first_plane)))?;
         }
         Ok(())
+    }
+
+    /// Of a stand in which every plant swings by itself: how each leans, and how it was last left.
+    fn swings(&mut self, index: usize, stem: &str) -> Result<(), Failure> {
+        let world = self.world;
+        let (model, state) = (&world.model.stands[index], &world.state.stands[index]);
+        let (patches, cells) = (state.awake.len() as u64, u64::from(model.cells));
+        let all = (0..model.cells).flat_map(|z| (0..model.cells).map(move |x| [x, z]));
+        let bends = state.awake.keys().flat_map(|patch| all.clone().map(|cell| world.bend_of_plant(index, *patch, cell)));
+        let bends: Vec<[f32; 2]> = bends.map(Option::unwrap_or_default).collect();
+        let axes = [("patch", patches), ("cell z", cells), ("cell x", cells), ("x, z", 2)];
+        let meaning = "bend of the plant of each cell, as a vector over the ground";
+        let entry = self.entry(&format!("{}/beta", model.name), &format!("{stem}_beta"), meaning, "rad");
+        self.save(entry, "<f4", &axes, bends.into_iter().flatten())?;
+        let meaning = "how bodies last left each plant: deviation x and z from how it stands in the wind [rad], its rate [rad/s], seconds since then; \
+            0, 0, 0 and not a number where none touched it";
+        let entry = self.entry(&format!("{}/records", model.name), &format!("{stem}_records"), meaning, "see meaning");
+        let awake = awake_cells(model, state)?;
+        let area = (model.cells * model.cells) as usize;
+        let rows = awake.into_iter().flat_map(|planes| (0..area).map(|cell| Record::load(planes, area, cell)));
+        let rows = rows.flat_map(|record| {
+            let steps = f64::from(record.steps_to(world.state.step as u32));
+            let since = if record == Record::default() { f32::NAN } else { (steps * world.model.dt) as f32 };
+            [record.deviation[0], record.deviation[1], record.rate, since]
+        });
+        self.save(entry, "<f4", &[("patch", patches), ("cell z", cells), ("cell x", cells), ("value", 4)], rows)
     }
 
     /// Of a stand that moves blade by blade: its virtual blades, and its blades with a state.

@@ -1,0 +1,80 @@
+//! What a game or a test asks of a world: how far plants lean.
+
+use super::World;
+use crate::model::StandModel;
+use crate::placement;
+use crate::plan::{around, weights};
+use crate::response::chain::{self, ChainModel, Standing};
+use crate::response::continuum;
+use crate::response::oscillator::{self, Air, OscillatorModel, Own, Record};
+use crate::state::{PatchKey, StandState, TILE};
+
+impl World {
+    /// β \[rad\] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps. Of a stand that moves
+    /// blade by blade: of the tip of an upright blade that nobody has touched.
+    /// `None` for an unknown stand. Where a GPU steps, download its cells first: the answer is of the cells held here.
+    pub fn bend_at(&self, stand: usize, ground: [f64; 2]) -> Option<[f32; 2]> {
+        let (model, state) = (self.model.stands.get(stand)?, self.state.stands.get(stand)?);
+        let side = i64::from(model.cells);
+        let cell = ground.map(|metres| (metres / model.spacing).floor() as i64);
+        let patch = cell.map(|k| k.div_euclid(side) as i32);
+        let [i, j] = cell.map(|k| k.rem_euclid(side));
+        if let Some(chain) = &model.chain {
+            let local = [0, 1].map(|axis: usize| (ground[axis] - f64::from(patch[axis]) * model.patch_side) as f32);
+            return Some(self.blade_bend(model, chain, state, patch, local));
+        }
+        if let Some(oscillator) = &model.oscillator {
+            return Some(self.swing(model, oscillator, state, patch, [i as u32, j as u32]));
+        }
+        match state.awake.get(&patch).or_else(|| state.awake.get(&TILE)).and_then(|awake| state.cells.now.get(awake.slot as usize)) {
+            Some(cells) => {
+                let at = (j * side + i) as usize;
+                Some([cells[at], cells[(side * side) as usize + at]])
+            }
+            None => Some(continuum::Rest::of(&self.wind(model), patch, model.cells, model.species.continuum.wind).at(i as i32, j as i32)),
+        }
+    }
+
+    /// How far the tip of an upright blade without a state leans at a place of a patch.
+    fn blade_bend(&self, stand: &StandModel, chain: &ChainModel, state: &StandState, patch: PatchKey, local: [f32; 2]) -> [f32; 2] {
+        let wind = self.wind(stand);
+        let phases = wind.patch_phases(patch, stand.cells / continuum::NODE_CELLS);
+        let slots = around(state, patch, |awake| awake.slot);
+        let standing = Standing { chain, around: slots, weights: weights(state, patch), patch_side: stand.patch_side as f32 };
+        let moments = standing.moments(&state.cells.now, local, || wind.velocity_local(&phases, local));
+        let bends = standing.pose(&chain::UPRIGHT, 0.0, &moments);
+        let mut leans = [[0.0; 2]; chain::MOST_SEGMENTS];
+        chain::leans(chain, &chain::UPRIGHT, [1.0, 0.0], [0.0; 2], &bends, &mut leans);
+        leans[chain.coefficients.segments as usize - 1]
+    }
+
+    /// How far the plant of a cell leans that swings by itself \[rad, ground vector\]; in the wind of the cell's middle where none grows. `None` for an
+    /// unknown stand or cell, and for one that moves otherwise.
+    pub fn bend_of_plant(&self, stand: usize, patch: PatchKey, cell: [u32; 2]) -> Option<[f32; 2]> {
+        let (model, state) = (self.model.stands.get(stand)?, self.state.stands.get(stand)?);
+        let oscillator = model.oscillator.as_ref().filter(|_| cell.iter().all(|along| *along < model.cells))?;
+        Some(self.swing(model, oscillator, state, patch, cell))
+    }
+
+    /// How far the plant of a cell leans that swings by itself; in the wind of the cell's middle where none grows.
+    fn swing(&self, stand: &StandModel, oscillator: &OscillatorModel, state: &StandState, patch: PatchKey, cell: [u32; 2]) -> [f32; 2] {
+        let (co, wind, cells) = (&oscillator.coefficients, self.wind(stand), &state.cells);
+        let phases = wind.patch_phases(patch, stand.cells / continuum::NODE_CELLS);
+        let (around, weights) = (around(state, patch, |awake| awake.slot), weights(state, patch));
+        let air = Air { co, levels: &cells.old, around, weights, patch_side: stand.patch_side as f32 };
+        let middle = cell.map(|at| (at as f32 + 0.5) * stand.placement.spacing);
+        let plant = placement::plant(&stand.placement, patch, cell);
+        let root = plant.map_or(middle, |plant| plant.root);
+        let [x, z] = air.at(root, 0.0, || wind.velocity_local(&phases, root));
+        let index = cell[1] * stand.cells + cell[0];
+        let slot = state.awake.get(&patch).map(|awake| awake.slot as usize);
+        let found = slot.and_then(|slot| cells.now.get(slot).zip(cells.ground.get(slot))).zip(plant);
+        let [dx, dz] = found.map_or([0.0; 2], |((planes, ground), plant)| {
+            let grown = ground.grown.get(index as usize).map_or(Some(plant), |growth| placement::grown(plant, *growth));
+            let height = grown.map_or(0.0, |plant| plant.height);
+            let own = Own::of(co, placement::variety(&stand.placement, patch, index), height);
+            Record::load(planes, planes.len() / 4, index as usize).at(co, &own, self.state.step as u32, 0.0)
+        });
+        oscillator::limited([x + dx, z + dz])
+    }
+}
