@@ -50,7 +50,7 @@ fn a_body_that_teleports_drags_nothing_along() {
     let driven = "interactors: [(name: \"player\", shape: Sphere(radius: 0.7), path: Driven(at: (1, 1)))]";
     let mut world = field("response: Oscillator()", driven);
     let hop = |world: &mut World, step: u32| {
-        if step % 30 == 0 {
+        if step.is_multiple_of(30) {
             let k = f64::from(step / 30);
             // Far enough each time: what moves less than 2.5 m in a step is fast, not elsewhere.
             world.drive(0, [1.0 + 5.0 * (k * 2.4).sin(), 1.0 + 5.0 * (k * 2.4).cos()], 0.0, 0.0);

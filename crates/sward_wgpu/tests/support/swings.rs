@@ -128,7 +128,7 @@ pub(crate) fn touches(gpu: &Gpu) -> Verdict {
             let pushes: Vec<(Push, f32)> = (0..3)
                 .map(|k| {
                     let tilt = random.float(-0.5, 1.5);
-                    let (sine, cosine) = math::sin_cos(random.drawn(0.0, 6.28));
+                    let (sine, cosine) = math::sin_cos(random.drawn(0.0, std::f32::consts::TAU));
                     let outward = [random.put(cosine), random.put(sine)];
                     (Push { tilt, outward, pace: random.float(0.0, 30.0) }, if k == 2 { stays } else { 1.0 })
                 })
