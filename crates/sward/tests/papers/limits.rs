@@ -29,7 +29,7 @@ fn bodies_and_waves_respect_the_limit_on_a_slope() {
     let slope = [0.8_f32, -0.3];
     let area = 256;
     let values = (0..3 * area).map(|at| [slope[0], slope[1], 0.0][at / area]).collect();
-    torus.cells.ground[0] = Ground { values, steepest: (0.64_f32 + 0.09).sqrt(), level: 0.0 };
+    torus.cells.ground[0] = Ground { values, steepest: (0.64_f32 + 0.09).sqrt(), level: 0.0, grown: Box::default() };
     torus.fill(|level, plane, _, _| if plane == 0 { [0.6, 0.2][level] } else { 0.0 });
     let (mut clamped, mut closest) = (0, f32::MAX);
     for _ in 0..30 {

@@ -179,10 +179,12 @@ fn show_swings(world: &World, index: usize, stand: &StandModel, oscillator: &Osc
     line(&mut text, "", &spread);
     let rest = f64::from(co.settle) * world.model.dt;
     let lean = sward::wind::equilibrium([4.0, 0.0], co.wind)[0].to_degrees();
-    line(&mut text, "", &format!("at rest {rest:.1} s after a body; in wind of 4 m/s it leans by {lean:.0} degrees"));
+    let segments = stand.species.segments();
+    let shape = format!("{segments} segment{} a plant", plural(segments));
+    line(&mut text, "", &format!("{shape}; at rest {rest:.1} s after a body; leans by {lean:.0} degrees in wind of 4 m/s"));
     show_strips(&mut text, stand);
     let [records, air] = oscillator::sizes(oscillator, stand.cells).map(|numbers| NUMBER * numbers as u64);
-    let total = (records + air) as f64 * world.state.stands[index].free.len() as f64 / MEGABYTE;
+    let total = budget_bytes(world, index, &Precision::Full) as f64 / MEGABYTE;
     let wind = if air > 0 { format!(" and {} for the wind", grouped(air)) } else { String::new() };
     line(&mut text, "", &format!("{} bytes a patch{wind}; {total:.1} MB at most", grouped(records)));
     text
@@ -231,6 +233,11 @@ fn plants(world: &World, stand: &StandModel) -> String {
 
 /// Two time levels of β and ω, and slopes and height of the ground where it is not level.
 fn patch_bytes(world: &World, stand: &StandModel, precision: &Precision) -> u64 {
+    if let Some(oscillator) = &stand.oscillator {
+        let ground = if stand.stores_ground(&world.model.terrain) { 3 } else { 0 };
+        let area = stand.cells as usize * stand.cells as usize;
+        return NUMBER * (oscillator::sizes(oscillator, stand.cells).iter().sum::<usize>() + ground * area) as u64;
+    }
     let level = match precision {
         Precision::Full => 4,
         Precision::Half => 2,
