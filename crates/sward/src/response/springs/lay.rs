@@ -1,42 +1,18 @@
 //! A column that finds no way out lies down, as far as it must; and nothing jumps.
 //!
-//! Methods §4. Under a wide, fast body the way out is down: no push to the side frees a vertex whose root is under the body. Lying flat along the
-//! ground always does, since a body ends there. Reads distance maps. Writes vertices. Twin: `lay.wgsl`. Not in the paper.
+//! Methods §4. Under a wide, fast body the way out is down: no push to the side frees a vertex whose root is under the body. Lying on the ground
+//! always does, since a body ends there. Reads distance maps. Writes vertices. Twin: `lay.wgsl`. Not in the paper.
 
-use super::lengths::{flat, pass_column};
-use super::push::{Maps, TOLERANCE};
-use super::sheet::{MOST_SIDE, Sheet, SheetRoot, SpringsCoefficients};
-use super::vector::{between, minus, plus, size};
+use super::lengths::{flat, on_ground, placed};
+use super::push::{Faces, Maps, TOLERANCE};
+use super::sheet::{Sheet, SheetRoot, SpringsCoefficients};
+use super::vector::{between, minus, plus, size, unit};
 use crate::math;
 
-/// Halvings in search of how far a column lies down: to 1/64.
+/// Halvings in search of how far a segment turns: to 1/64.
 const HALVINGS: u32 = 6;
 /// Farthest a vertex moves in a moment of a step, as a share of a column's length.
 pub const SPREAD: f32 = 0.3;
-
-/// Directions of a column's segments.
-type Ways = [[f32; 3]; MOST_SIDE];
-
-#[inline(always)]
-fn ways(co: &SpringsCoefficients, sheet: &Sheet, column: usize) -> Ways {
-    let (columns, rows) = co.sides();
-    let mut ways = [[0.0, 1.0, 0.0]; MOST_SIDE];
-    for row in 0..rows - 1 {
-        ways[row] = sheet.way(columns, row * columns + column);
-    }
-    ways
-}
-
-/// Sets a column a `share` of the way from directions to others, above the ground.
-#[inline(always)]
-fn turn(co: &SpringsCoefficients, root: &SheetRoot, sheet: &mut Sheet, column: usize, (from, to): (&Ways, &Ways), share: f32) {
-    let (columns, rows) = co.sides();
-    for row in 0..rows - 1 {
-        let vertex = row * columns + column;
-        sheet.at[vertex + columns] = plus(sheet.at[vertex], between(from[row], to[row], share), root.segment(co));
-    }
-    pass_column(co, root, sheet, column);
-}
 
 /// The deepest vertex of a column, m.
 #[inline(always)]
@@ -49,41 +25,93 @@ fn deepest(co: &SpringsCoefficients, root: &SheetRoot, maps: &Maps, moment: u32,
     most
 }
 
-/// Columns that are still in a body lie down, straight the way their tips point, just as far as frees them. An upright one falls along
-/// `otherwise` (x, z).
-pub fn lay(co: &SpringsCoefficients, root: &SheetRoot, maps: &Maps, moment: u32, sheet: &mut Sheet, otherwise: [f32; 2]) {
+/// Columns that are still in a body lie down, the way they point or, upright ones, along `otherwise` (x, z): segment by segment from the root,
+/// each just as far as frees it; a column that this does not free, whole.
+pub fn lay(co: &SpringsCoefficients, root: &SheetRoot, maps: &Maps, moment: u32, sheet: &mut Sheet, faces: &Faces, otherwise: [f32; 2]) {
     let (columns, rows) = co.sides();
     for column in 0..columns {
         if deepest(co, root, maps, moment, sheet, column) <= TOLERANCE {
             continue;
         }
-        let from = ways(co, sheet, column);
         let tip = minus(sheet.at[(rows - 1) * columns + column], sheet.at[column]);
-        let to = [flat(root, tip.map(|part| part / root.length), otherwise); MOST_SIDE];
-        let (mut stuck, mut free) = (0.0, 1.0);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (stuck + free);
-            turn(co, root, sheet, column, (&from, &to), middle);
-            let deep = deepest(co, root, maps, moment, sheet, column) > TOLERANCE;
-            (stuck, free) = if deep { (middle, free) } else { (stuck, middle) };
+        let fallen = flat(root, tip.map(|part| part / root.length), otherwise);
+        lower(&Fall { co, root, maps, moment }, sheet, faces, column, fallen);
+        if deepest(co, root, maps, moment, sheet, column) > TOLERANCE {
+            for row in 1..rows {
+                let vertex = row * columns + column;
+                sheet.at[vertex] = placed(root, sheet.at[vertex - columns], plus(sheet.at[vertex - columns], fallen, 1.0), root.segment(co));
+            }
         }
-        turn(co, root, sheet, column, (&from, &to), free);
     }
 }
 
-/// Moves of more than [`SPREAD`] column lengths end there: a column turns only so far from where it was.
+/// Turns each segment of a column towards the ground until its upper end is free, the way it points or the way out of the body, whichever moves
+/// it less; what is above is carried along.
+fn lower(by: &Fall, sheet: &mut Sheet, faces: &Faces, column: usize, fallen: [f32; 3]) {
+    let (columns, rows) = by.co.sides();
+    let mut carried = [0.0; 3];
+    for row in 1..rows {
+        let vertex = row * columns + column;
+        let below = sheet.at[vertex - columns];
+        let at = placed(by.root, below, plus(sheet.at[vertex], carried, 1.0), by.root.segment(by.co));
+        let mut there = at;
+        if by.maps.depth(by.root, by.moment, at) > TOLERANCE {
+            let from = unit(minus(at, below));
+            there = by.lowered(below, from, if from[0] * from[0] + from[2] * from[2] > 1e-2 { from } else { fallen });
+            if let Some([x, z]) = by.maps.way_out(by.root, by.moment, at, faces[vertex]) {
+                let other = by.lowered(below, from, [x, 0.0, z]);
+                there = if size(minus(other, at)) < size(minus(there, at)) { other } else { there };
+            }
+        }
+        carried = minus(there, sheet.at[vertex]);
+        sheet.at[vertex] = there;
+    }
+}
+
+/// What a column falls among.
+struct Fall<'a> {
+    co: &'a SpringsCoefficients,
+    root: &'a SheetRoot,
+    maps: &'a Maps<'a>,
+    moment: u32,
+}
+
+impl Fall<'_> {
+    /// Where a segment from `below` ends that is turned from a direction down to the ground along `heading` as far as frees its end.
+    #[inline(always)]
+    fn lowered(&self, below: [f32; 3], from: [f32; 3], heading: [f32; 3]) -> [f32; 3] {
+        let segment = self.root.segment(self.co);
+        let to = unit(minus(on_ground(self.root, below, heading, segment), below));
+        let turned = |share: f32| placed(self.root, below, plus(below, between(from, to, share), 1.0), segment);
+        let (mut stuck, mut free) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (stuck + free);
+            let deep = self.maps.depth(self.root, self.moment, turned(middle)) > TOLERANCE;
+            (stuck, free) = if deep { (middle, free) } else { (stuck, middle) };
+        }
+        turned(free)
+    }
+}
+
+/// Moves of more than [`SPREAD`] column lengths end there: from root to tip a segment turns only so far from where it was.
 pub fn spread(co: &SpringsCoefficients, root: &SheetRoot, before: &Sheet, sheet: &mut Sheet) {
     let (columns, rows) = co.sides();
-    for column in 0..columns {
-        let mut far = 0.0;
-        for row in 1..rows {
-            let vertex = row * columns + column;
-            far = math::upper(size(minus(sheet.at[vertex], before.at[vertex])), far);
+    let (segment, most) = (root.segment(co), SPREAD * root.length);
+    let wanted = *sheet;
+    for vertex in columns..columns * rows {
+        let (below, was) = (sheet.at[vertex - columns], before.at[vertex]);
+        let (from, to) = (before.way(columns, vertex - columns), wanted.way(columns, vertex - columns));
+        let turned = |share: f32| placed(root, below, plus(below, between(from, to, share), 1.0), segment);
+        let far = |there: [f32; 3]| size(minus(there, was)) > most;
+        let mut there = turned(1.0);
+        if far(there) {
+            let (mut near, mut beyond) = (0.0, 1.0);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (near + beyond);
+                (near, beyond) = if far(turned(middle)) { (near, middle) } else { (middle, beyond) };
+            }
+            there = turned(near);
         }
-        let most = SPREAD * root.length;
-        if far > most {
-            let (from, to) = (ways(co, before, column), ways(co, sheet, column));
-            turn(co, root, sheet, column, (&from, &to), most / far);
-        }
+        sheet.at[vertex] = there;
     }
 }

@@ -20,7 +20,7 @@ pub(super) fn placed(root: &SheetRoot, below: [f32; 3], at: [f32; 3], segment: f
 
 /// The point a segment away from `below` on the ground (and [`CLEAR`] above it), horizontally along `way`.
 #[inline(always)]
-fn on_ground(root: &SheetRoot, below: [f32; 3], way: [f32; 3], segment: f32) -> [f32; 3] {
+pub(super) fn on_ground(root: &SheetRoot, below: [f32; 3], way: [f32; 3], segment: f32) -> [f32; 3] {
     let level = (way[0] * way[0] + way[2] * way[2]).sqrt();
     // Straight down there is no direction: down the slope, or along x.
     let [sx, sz] = root.slope;

@@ -70,6 +70,19 @@ impl Maps<'_> {
         most
     }
 
+    /// The level direction (x, z) of the way out of a point at one moment; none where it lies in no body or only down leads out.
+    #[inline(always)]
+    pub(super) fn way_out(&self, root: &SheetRoot, moment: u32, at: [f32; 3], kept: u8) -> Option<[f32; 2]> {
+        for head in self.heads.iter().filter(|head| head.moment == moment) {
+            if let Some((there, _)) = exit(head, self.texels, root, at, kept) {
+                let (x, z) = (there[0] - at[0], there[2] - at[2]);
+                let long = (x * x + z * z).sqrt();
+                return if long > 1e-6 { Some([x / long, z / long]) } else { None };
+            }
+        }
+        None
+    }
+
     /// The deepest vertex of a sheet at one moment, m.
     #[inline(always)]
     pub fn deepest(&self, co: &SpringsCoefficients, root: &SheetRoot, moment: u32, sheet: &Sheet) -> f32 {

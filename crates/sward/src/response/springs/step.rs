@@ -91,6 +91,6 @@ pub fn resolve(
             break;
         }
     }
-    lay(co, root, maps, moment, sheet, heading);
+    lay(co, root, maps, moment, sheet, faces, heading);
     spread(co, root, &before, sheet);
 }
