@@ -61,13 +61,19 @@ impl Maps<'_> {
         }
         for head in self.heads.iter().filter(|head| head.moment == moment) {
             let Some(sides) = sides(head, self.texels, at) else { continue };
-            let mut least = height - CLEAR;
+            let mut least = height - TRODDEN;
             for side in &sides {
                 least = math::lower(-side.depth, least);
             }
             most = math::upper(least, most);
         }
         most
+    }
+
+    /// Whether a point lies on the ground under any of them: trodden down, no spring moves it.
+    #[inline(always)]
+    pub(super) fn is_under(&self, root: &SheetRoot, moment: u32, at: [f32; 3]) -> bool {
+        root.height(at) <= TRODDEN + 2.0 * TOLERANCE && self.heads.iter().any(|head| head.moment == moment && sides(head, self.texels, at).is_some())
     }
 
     /// The level direction (x, z) of the way out of a point at one moment; none where it lies in no body or only down leads out.
@@ -105,7 +111,7 @@ pub fn exit(head: &DistanceMapHead, texels: &[[f32; 4]], root: &SheetRoot, at: [
     }
     let sides = sides(head, texels, at)?;
     let down = [at[0], at[1] - height + CLEAR, at[2]];
-    let (mut way, mut there, mut least) = (DOWN, down, height - CLEAR);
+    let (mut way, mut there, mut least) = (DOWN, down, height - TRODDEN);
     let mut deep = least;
     for (face, side) in sides.iter().enumerate() {
         let out = plus(at, head.to_world(side.normal), SLACK - side.depth);

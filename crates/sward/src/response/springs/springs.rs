@@ -4,7 +4,7 @@
 //! writes vertices. Twin: `springs.wgsl`. Differs from the paper: all vertices move at once (Jacobi), by the mean of what their springs ask
 //! for, so left and right are alike; no Δt in eq. 7, so a sheet is as stiff at 144 Hz as at 30.
 
-use super::sheet::{Sheet, SheetRoot, SpringsCoefficients, direction};
+use super::sheet::{MOST_VERTICES, Sheet, SheetRoot, SpringsCoefficients, direction};
 use super::vector::{minus, plus, size};
 use crate::math;
 
@@ -20,12 +20,12 @@ fn lengths(co: &SpringsCoefficients, root: &SheetRoot) -> [f32; 4] {
 const NEIGHBOURS: [(i32, i32, usize); 8] =
     [(-1, 0, 0), (1, 0, 0), (0, -1, 1), (0, 1, 1), (1, 1, 2), (-1, -1, 2), (-1, 1, 3), (1, -1, 3)];
 
-/// One sweep over all springs.
-pub fn sweep(co: &SpringsCoefficients, root: &SheetRoot, sheet: &Sheet) -> Sheet {
+/// One sweep over all springs. `fixed` says which vertices do not move, beside the roots.
+pub fn sweep(co: &SpringsCoefficients, root: &SheetRoot, sheet: &Sheet, fixed: &[bool; MOST_VERTICES]) -> Sheet {
     let (columns, rows) = co.sides();
     let lengths = lengths(co, root);
     let mut moved = *sheet;
-    for vertex in columns..columns * rows {
+    for vertex in (columns..columns * rows).filter(|vertex| !fixed[*vertex]) {
         let (column, row) = ((vertex % columns) as i32, (vertex / columns) as i32);
         let (mut sum, mut count) = ([0.0; 3], 0.0);
         for (right, up, kind) in NEIGHBOURS {
@@ -33,10 +33,11 @@ pub fn sweep(co: &SpringsCoefficients, root: &SheetRoot, sheet: &Sheet) -> Sheet
             if there < 0 || above < 0 || there >= columns as i32 || above >= rows as i32 {
                 continue;
             }
-            let way = minus(sheet.at[vertex], sheet.at[(above * columns as i32 + there) as usize]);
+            let other = (above * columns as i32 + there) as usize;
+            let way = minus(sheet.at[vertex], sheet.at[other]);
             let long = math::upper(size(way), 1e-9);
-            // A foot does not move, so its partner goes all the way (r of eq. 7).
-            let share = if above == 0 { 1.0 } else { 0.5 };
+            // What does not move leaves its partner all the way (r of eq. 7).
+            let share = if above == 0 || fixed[other] { 1.0 } else { 0.5 };
             sum = plus(sum, way, -share * co.stiffness * (long - lengths[kind]) / long);
             count += 1.0;
         }

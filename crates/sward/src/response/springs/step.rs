@@ -81,8 +81,13 @@ pub fn resolve(
     if maps.deepest(co, root, moment, sheet) <= TOLERANCE {
         return;
     }
+    let mut fixed = [false; MOST_VERTICES];
+    for ((fixed, face), at) in fixed.iter_mut().zip(faces.iter_mut()).zip(&sheet.at) {
+        *fixed = maps.is_under(root, moment, *at);
+        *face = if maps.depth(root, moment, *at) > TOLERANCE { *face } else { 0 };
+    }
     for _ in 0..co.iterations {
-        *sheet = sweep(co, root, sheet);
+        *sheet = sweep(co, root, sheet, &fixed);
     }
     for _ in 0..ROUNDS {
         let moved = push(co, root, maps, moment, sheet, faces);
