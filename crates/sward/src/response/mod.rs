@@ -6,6 +6,7 @@ pub mod chain;
 pub mod continuum;
 mod each;
 pub mod oscillation;
+pub mod springs;
 mod stage;
 mod stand;
 

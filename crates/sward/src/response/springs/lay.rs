@@ -58,7 +58,8 @@ fn lower(by: &Fall, sheet: &mut Sheet, faces: &Faces, column: usize, fallen: [f3
         if by.maps.depth(by.root, by.moment, at) > TOLERANCE {
             let from = unit(minus(at, below));
             there = by.lowered(below, from, if from[0] * from[0] + from[2] * from[2] > 1e-2 { from } else { fallen });
-            if let Some([x, z]) = by.maps.way_out(by.root, by.moment, at, faces[vertex]) {
+            for kept in [faces[vertex], 0] {
+                let Some([x, z]) = by.maps.way_out(by.root, by.moment, at, kept) else { continue };
                 let other = by.lowered(below, from, [x, 0.0, z]);
                 there = if size(minus(other, at)) < size(minus(there, at)) { other } else { there };
             }
