@@ -39,7 +39,8 @@ pub fn lay(co: &SpringsCoefficients, root: &SheetRoot, maps: &Maps, moment: u32,
         if deepest(co, root, maps, moment, sheet, column) > TOLERANCE {
             for row in 1..rows {
                 let vertex = row * columns + column;
-                sheet.at[vertex] = placed(root, sheet.at[vertex - columns], plus(sheet.at[vertex - columns], fallen, 1.0), root.segment(co));
+                sheet.at[vertex] =
+                    placed(root, sheet.at[vertex - columns], plus(sheet.at[vertex - columns], fallen, 1.0), root.segment(co));
             }
         }
     }

@@ -38,3 +38,18 @@ pub use sheet::{CLEAR, MOST_SIDE, MOST_VERTICES, Sheet, SheetRoot, SpringsCoeffi
 pub use springs::sweep;
 pub use step::{HeldSheet, ROUNDS, is_touched, resolve, step};
 pub use wind::{Wave, pose, sway};
+
+/// The functions of one billboard in WGSL, in the order they need each other; they need `math` and [`crate::interaction::distance_map::WGSL`] before
+/// them, and `springs_map(index: u32) -> DistanceMapHead` from the host.
+pub const WGSL: [&str; 10] = [
+    include_str!("vector.wgsl"),
+    include_str!("sheet.wgsl"),
+    include_str!("lengths.wgsl"),
+    include_str!("springs.wgsl"),
+    include_str!("push.wgsl"),
+    include_str!("lay.wgsl"),
+    include_str!("recover.wgsl"),
+    include_str!("wind.wgsl"),
+    include_str!("step.wgsl"),
+    include_str!("surface.wgsl"),
+];

@@ -103,8 +103,12 @@ impl SheetPool {
         wanted.dedup_by_key(|(who, _)| *who);
         // Who gives way, the last of these first.
         let touched: BTreeSet<Billboard> = contacts.iter().map(|(who, _)| *who).collect();
-        let mut leaving: Vec<(u32, Billboard)> =
-            self.taken().filter(|(who, _)| !touched.contains(who)).map(|(who, place)| (steps(place), who)).filter(|(steps, _)| *steps > 0).collect();
+        let mut leaving: Vec<(u32, Billboard)> = self
+            .taken()
+            .filter(|(who, _)| !touched.contains(who))
+            .map(|(who, place)| (steps(place), who))
+            .filter(|(steps, _)| *steps > 0)
+            .collect();
         leaving.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.cmp(&a.1)));
         let mut given = Vec::new();
         for (who, _) in wanted {

@@ -87,7 +87,8 @@ impl Maps<'_> {
     /// Whether a point lies on the ground under any of them: trodden down, no spring moves it.
     #[inline(always)]
     pub(super) fn is_under(&self, root: &SheetRoot, moment: u32, at: [f32; 3]) -> bool {
-        root.height(at) <= TRODDEN + 2.0 * TOLERANCE && self.heads.iter().any(|head| head.moment == moment && sides(head, self.texels, at).is_some())
+        root.height(at) <= TRODDEN + 2.0 * TOLERANCE
+            && self.heads.iter().any(|head| head.moment == moment && sides(head, self.texels, at).is_some())
     }
 
     /// The level direction (x, z) of the way out of a point at one moment; none where it lies in no body or only down leads out.

@@ -17,8 +17,7 @@ fn lengths(co: &SpringsCoefficients, root: &SheetRoot) -> [f32; 4] {
 }
 
 /// The neighbours of a vertex: columns and rows away, and which of the lengths at rest its spring has.
-const NEIGHBOURS: [(i32, i32, usize); 8] =
-    [(-1, 0, 0), (1, 0, 0), (0, -1, 1), (0, 1, 1), (1, 1, 2), (-1, -1, 2), (-1, 1, 3), (1, -1, 3)];
+const NEIGHBOURS: [(i32, i32, usize); 8] = [(-1, 0, 0), (1, 0, 0), (0, -1, 1), (0, 1, 1), (1, 1, 2), (-1, -1, 2), (-1, 1, 3), (1, -1, 3)];
 
 /// One sweep over all springs. `fixed` says which vertices do not move, beside the roots.
 pub fn sweep(co: &SpringsCoefficients, root: &SheetRoot, sheet: &Sheet, fixed: &[bool; MOST_VERTICES]) -> Sheet {
