@@ -7,6 +7,7 @@ use glam::DMat4;
 use super::distance_map::{Cube, DistanceMap};
 use super::figure::FigureBody;
 use crate::figure::FigureVertex;
+use crate::math;
 
 /// Moments of a clip at which its farthest points are looked for.
 const MOMENTS: u32 = 32;
@@ -29,6 +30,16 @@ impl FigureBody {
             blended(&frames, vertex).transform_point3(glam::Vec3::from(vertex.position).as_dvec3()).as_vec3().to_array()
         };
         self.figure.vertices.iter().map(place).collect()
+    }
+
+    /// How far any vertex moves within the body from one moment to another, m: limbs are faster than the body.
+    pub fn stride(&self, from: f64, to: f64) -> f32 {
+        let mut most = 0.0;
+        for (a, b) in self.points(from).iter().zip(&self.points(to)) {
+            let way = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+            most = math::upper(way[0] * way[0] + way[1] * way[1] + way[2] * way[2], most);
+        }
+        most.sqrt()
     }
 
     /// The cube around the body over its whole clip, so that texels stay where they are on it; `size` texels along a side.

@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 use sward::interaction::FigureBody;
 use sward::interaction::distance_map::{DistanceMapHead, contact_at};
 use sward::model::Folder;
-use sward::response::springs::Maps;
+use sward::response::springs::{Maps, moments};
 use sward::scene::Scene;
 use sward::world::World;
 
@@ -41,19 +41,32 @@ fn walking_figures_push_sheets_out() {
             .flat_map(|i| (0..3).map(move |k| root(0.09 * (i as f32 - 6.5), 0.2 * k as f32, (i * 3 + k) as f32 * 0.7, 0.4)))
             .map(|root| (Plant::new(&co, root), 0))
             .collect();
+        let mut most = 0;
         for frame in 0..(4.5 / speed / STEP) as u32 {
-            let time = frame as f32 * STEP;
-            let map = body.distance_map(cube, texels, f64::from(time));
-            let heads = [head(&map, 0, Vec3::Z * (speed * time - 2.0), 0.0)];
-            let maps = Maps { heads: &heads, texels: &map.texels };
+            let time = |frame: f32| frame * STEP;
+            let stride = body.stride(f64::from(time(frame as f32 - 1.0)), f64::from(time(frame as f32)));
+            let count = moments(speed * STEP + stride, 0.4);
+            most = most.max(count);
+            let (mut heads, mut texels_of_all) = (Vec::new(), Vec::new());
+            for moment in 0..count {
+                let now = time(frame as f32 - 1.0 + (moment + 1) as f32 / count as f32);
+                let map = body.distance_map(cube, texels, f64::from(now));
+                let first = texels_of_all.len() as u32;
+                heads.push(DistanceMapHead { first, ..head(&map, moment, Vec3::Z * (speed * now - 2.0), 0.0) });
+                texels_of_all.extend(map.texels);
+            }
+            let maps = Maps { heads: &heads, texels: &texels_of_all };
             for (plant, deep) in &mut plants {
                 let before = plant.shown;
                 plant.step(&co, &maps, [0.0, 1.0]);
-                let own = |p: Vec3| contact_at(&heads[0], &map.texels, p.to_array()).distance;
+                let own = |p: Vec3| contact_at(&heads[heads.len() - 1], maps.texels, p.to_array()).distance;
                 look(&mut seen, &co, plant, &before, &maps, deep, own);
             }
         }
-        seen.print(&format!("{file} {clip} at {speed} m/s, {texels} texels of {:.0} mm", 2e3 * cube.half / texels as f32));
+        seen.print(&format!(
+            "{file} {clip} at {speed} m/s, up to {most} moments, {texels} texels of {:.0} mm",
+            2e3 * cube.half / texels as f32
+        ));
         assert!(seen.touched > 100, "it must touch: {seen:?}");
         assert!(seen.stretch < 1e-3 && seen.lowest > 0.9e-3, "{seen:?}");
         assert!(seen.jump < 0.35, "{seen:?}");

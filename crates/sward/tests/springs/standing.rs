@@ -17,10 +17,11 @@ fn stand(body: &Body, turn: f32) -> (u32, u32, f32, f32, u32) {
     let (mut switches, mut faces, mut moved, mut deepest, mut held) = (0, 0, 0.0f32, 0.0f32, 0);
     for root in row(0.4, 0.4) {
         let mut plant = Plant::new(&co, root);
-        for frame in 0..720u32 {
+        for frame in 0..840u32 {
             let z = (frame as f32 * 1.5 * STEP - 1.0).min(-0.1);
-            let still = frame > 120;
-            let yaw = if still { (frame - 120) as f32 * turn * STEP } else { 0.0 };
+            // What it brushed on its way has recovered, or leans on it, by then.
+            let still = frame > 240;
+            let yaw = if still { (frame - 240) as f32 * turn * STEP } else { 0.0 };
             let heads: [DistanceMapHead; 1] = [head(&body.map, 0, Vec3::Z * z, yaw)];
             let maps = Maps { heads: &heads, texels: &body.map.texels };
             let before = plant.clone();
@@ -28,7 +29,7 @@ fn stand(body: &Body, turn: f32) -> (u32, u32, f32, f32, u32) {
             if !still {
                 continue;
             }
-            switches += u32::from((before.held.steps == 0) != (plant.held.steps == 0) && before.held.steps < 400 && plant.held.steps == 0);
+            switches += u32::from((before.held.steps == 0) != (plant.held.steps == 0));
             faces += before.held.faces.iter().zip(&plant.held.faces).filter(|(a, b)| a != b && **b != 0).count() as u32;
             let way = |(a, b): (&[f32; 3], &[f32; 3])| Vec3::from(*a).distance(Vec3::from(*b));
             if plant.held.steps == 0 {

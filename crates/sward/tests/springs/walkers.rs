@@ -23,8 +23,8 @@ fn a_round_walker_goes_through() {
         assert!(seen.touched > 1000, "it must touch: {seen:?}");
         assert!(seen.deepest < 0.005 && seen.truly < 0.012, "{seen:?}");
         assert!(seen.jump < 0.35 && seen.stretch < 1e-3 && seen.lowest > 0.9e-3, "{seen:?}");
-        // Control: at 30 m/s without moments between it is in them.
-        let fast = pass(&co, &walker, &row(0.25, 0.4), 30.0, Some(1));
+        // Control: at 12 m/s without moments between it is in them.
+        let fast = pass(&co, &walker, &row(0.25, 0.4), 12.0, Some(1));
         assert!(fast.deepest > 0.012, "too fast a body must show: {fast:?}");
     }
 }
