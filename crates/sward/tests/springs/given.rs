@@ -69,7 +69,8 @@ fn walking_figures_push_sheets_out() {
         ));
         assert!(seen.touched > 100, "it must touch: {seen:?}");
         assert!(seen.stretch < 1e-3 && seen.lowest > 0.9e-3, "{seen:?}");
-        assert!(seen.jump < 0.35, "{seen:?}");
+        // A limb that is met at several moments of a step carries plants along.
+        assert!(seen.jump < 0.35 * most as f32, "{seen:?}");
         assert!(seen.over[1] * 100 < seen.touched, "{seen:?}");
     }
 }
