@@ -159,7 +159,7 @@ fn looked_up(head: &DistanceMapHead, texels: &[[f32; 4]], face: u32, at: [f32; 2
 #[inline(always)]
 pub fn side(head: &DistanceMapHead, texels: &[[f32; 4]], face: u32, at: [f32; 3]) -> Side {
     let (axis, half) = ((face / 2) as usize, head.centre[3]);
-    let sign = if face % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = if face.is_multiple_of(2) { 1.0 } else { -1.0 };
     let scale = 0.5 * head.size as f32 / half;
     let place = [at[(axis + 1) % 3], at[(axis + 2) % 3]].map(|part| (part + half) * scale - 0.5);
     let [depth, nx, ny, nz] = looked_up(head, texels, face, place, STEEP / scale);

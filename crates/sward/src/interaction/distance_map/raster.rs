@@ -44,7 +44,7 @@ impl DistanceMap {
 
     fn seen(&self, face: u32, corners: &[[f32; 3]; 3], normal: [f32; 3]) -> Seen {
         let (axis, half) = ((face / 2) as usize, self.cube.half);
-        let sign = if face % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if face.is_multiple_of(2) { 1.0 } else { -1.0 };
         let scale = 0.5 * self.size as f32 / half;
         let fine = |part: f32| {
             let texels = math::clamped((part + half) * scale, -BEYOND, BEYOND);

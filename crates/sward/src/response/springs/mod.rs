@@ -10,7 +10,7 @@
 //! | `sheet` | roots, vertices, lengths at rest |
 //! | `wind` | how it stands where nothing touches it |
 //! | `push` | out of bodies, by their distance maps |
-//! | `springs` | structural and shear springs |
+//! | `sweep` | structural and shear springs |
 //! | `lengths` | columns keep their lengths, above the ground |
 //! | `lay` | what is still in a body lies down; nothing jumps |
 //! | `recover` | back to the wind's pose |
@@ -24,9 +24,9 @@ pub mod pool;
 mod push;
 mod recover;
 mod sheet;
-mod springs;
 mod step;
 pub mod surface;
+mod sweep;
 mod vector;
 mod wind;
 
@@ -35,8 +35,8 @@ pub use lengths::pass;
 pub use push::{Faces, MOST_MOMENTS, Maps, TOLERANCE, TRODDEN, exit, moments, push};
 pub use recover::{recovered, share_left, time_left};
 pub use sheet::{CLEAR, MOST_SIDE, MOST_VERTICES, Sheet, SheetRoot, SpringsCoefficients};
-pub use springs::sweep;
 pub use step::{HeldSheet, ROUNDS, is_touched, resolve, step};
+pub use sweep::sweep;
 pub use wind::{Wave, pose, sway};
 
 /// The functions of one billboard in WGSL, in the order they need each other; they need `math` and [`crate::interaction::distance_map::WGSL`] before
@@ -45,7 +45,7 @@ pub const WGSL: [&str; 10] = [
     include_str!("vector.wgsl"),
     include_str!("sheet.wgsl"),
     include_str!("lengths.wgsl"),
-    include_str!("springs.wgsl"),
+    include_str!("sweep.wgsl"),
     include_str!("push.wgsl"),
     include_str!("lay.wgsl"),
     include_str!("recover.wgsl"),

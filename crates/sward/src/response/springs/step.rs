@@ -8,7 +8,7 @@ use super::lengths::pass;
 use super::push::{Faces, Maps, TOLERANCE, push};
 use super::recover::recovered;
 use super::sheet::{MOST_VERTICES, Sheet, SheetRoot, SpringsCoefficients};
-use super::springs::sweep;
+use super::sweep::sweep;
 
 /// Rounds of push-out and length pass in a moment.
 pub const ROUNDS: u32 = 8;

@@ -1,7 +1,7 @@
 //! The springs that keep a sheet's shape: every vertex goes a share of the way on which its springs have their lengths at rest.
 //!
 //! Orthmann et al. 2009, §5.4, eq. 6–7; methods §4. Structural springs along rows and columns, shear springs across both diagonals. Reads and
-//! writes vertices. Twin: `springs.wgsl`. Differs from the paper: all vertices move at once (Jacobi), by the mean of what their springs ask
+//! writes vertices. Twin: `sweep.wgsl`. Differs from the paper: all vertices move at once (Jacobi), by the mean of what their springs ask
 //! for, so left and right are alike; no Δt in eq. 7, so a sheet is as stiff at 144 Hz as at 30.
 
 use super::sheet::{MOST_VERTICES, Sheet, SheetRoot, SpringsCoefficients, direction};

@@ -1,4 +1,4 @@
-// Structural and shear springs. Twin: springs.rs, where everything is explained. Needs math, vector, sheet.
+// Structural and shear springs. Twin: sweep.rs, where everything is explained. Needs math, vector, sheet.
 
 // Vertices that springs do not move, as bits.
 struct SheetFixed {
