@@ -4,6 +4,7 @@
 mod bodies;
 mod cars;
 mod field;
+mod finite;
 mod given;
 mod maps;
 mod mirror;
@@ -47,6 +48,7 @@ fn main() -> std::process::ExitCode {
         recovery::TESTS,
         pools::TESTS,
         surfaces::TESTS,
+        finite::TESTS,
         twin::TESTS,
     ];
     let mut trials: Vec<Trial> = own.concat().iter().map(trial).collect();

@@ -59,10 +59,10 @@ impl Maps<'_> {
         })
     }
 
-    /// The last moment of the step.
+    /// The last moment of the step; those from [`MOST_MOMENTS`] on do not count.
     #[inline(always)]
     pub fn last(&self) -> u32 {
-        self.heads.iter().map(|head| head.moment).max().unwrap_or(0)
+        self.heads.iter().map(|head| head.moment).max().unwrap_or(0).min(MOST_MOMENTS - 1)
     }
 
     /// How deep a point lies in any of them at one moment, m, 0 outside: the shortest of its ways out, the ground's among them.

@@ -48,6 +48,9 @@ pub fn is_touched(co: &SpringsCoefficients, root: &SheetRoot, maps: &Maps, sheet
 
 /// One step. `target` is the pose in the wind; `heading` (x, z) is where a column falls that stands upright under a body: the body's way.
 pub fn step(co: &SpringsCoefficients, root: &SheetRoot, maps: &Maps, target: &Sheet, heading: [f32; 2], held: &mut HeldSheet) {
+    if root.length <= 0.0 {
+        return;
+    }
     let shown = held.shown(co, root, target);
     if is_touched(co, root, maps, &shown) {
         let mut sheet = shown;

@@ -61,6 +61,9 @@ fn springs_step(
     steps: u32,
     faces: ptr<function, SheetFaces>,
 ) -> u32 {
+    if root.length <= 0.0 {
+        return steps;
+    }
     var shown = springs_recovered(co, root, stored, wind, steps);
     if springs_is_touched(co, maps, root, &shown) {
         for (var moment = 0u; moment <= maps.last; moment++) {
