@@ -71,7 +71,8 @@ impl DistanceMap {
         let range = |axis: usize| {
             let low = a[axis].min(b[axis]).min(c[axis]);
             let high = a[axis].max(b[axis]).max(c[axis]);
-            (low.div_euclid(parts).max(0), high.div_euclid(parts).min(size - 1))
+            // Texels whose centres lie between; small triangles mostly have none.
+            ((low + parts / 2 - 1).div_euclid(parts).max(0), (high - parts / 2).div_euclid(parts).min(size - 1))
         };
         let ((left, right), (top, bottom)) = (range(0), range(1));
         for row in top..=bottom {
