@@ -23,8 +23,8 @@ pub const TEXELS: u32 = 64;
 pub const MOST_TEXELS: u32 = 512;
 /// Depth of a texel that sees nothing, m: large, since WGSL has no infinity to compare with.
 pub const EMPTY: f32 = 1e9;
-/// Depths of four neighbours that differ by more texels than this are not of one surface seen well: the least counts, not their mean. Of a surface
-/// that three faces see alike they differ by 2.
+/// Depths of four neighbours that differ by more texels than this are not of one surface seen well: the least counts, not their mean. Of a
+/// surface that three faces see alike they differ by 2.
 const STEEP: f32 = 4.0;
 
 /// The cube a map is drawn in, m, in the body's frame. The same one for all moments of a clip keeps texels where they are on the body.

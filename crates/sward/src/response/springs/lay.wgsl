@@ -1,4 +1,5 @@
-// What is still in a body lies down; nothing jumps. Twin: lay.rs, where everything is explained. Needs math, distance_map, vector, sheet, lengths, push.
+// What is still in a body lies down; nothing jumps. Twin: lay.rs, where everything is explained.
+// Needs math, distance_map, vector, sheet, lengths, push.
 
 const SPRINGS_HALVINGS: u32 = 6u;
 const SPRINGS_SPREAD: f32 = 0.3;

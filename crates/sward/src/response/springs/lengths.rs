@@ -1,6 +1,6 @@
 //! Columns keep their lengths, and nothing lies below the ground.
 //!
-//! Methods §4; not in the paper, whose springs let a pushed column stretch by four fifths. From root to tip every vertex is set to its distance
+//! Methods §4; not in the paper, whose springs let pushed columns stretch. From root to tip every vertex is set to its distance
 //! from the one below along the present direction, and those above are carried along. Twin: `lengths.wgsl`.
 
 use super::sheet::{CLEAR, Sheet, SheetRoot, SpringsCoefficients};

@@ -1,8 +1,8 @@
 //! Springs: a billboard is a sheet of vertices that bodies push aside, that keeps its shape, and that recovers.
 //!
-//! Orthmann, Rezk-Salama & Kolb 2009, §5; methods §4. State per billboard that something touches: the sheet as it was left \[m\], steps since then,
-//! and by which way each vertex left the body. Reads: distance maps ([`crate::interaction::distance_map`]), the pose in the wind. Writes: state. Twins: the
-//! `.wgsl` files beside.
+//! Orthmann, Rezk-Salama & Kolb 2009, §5; methods §4. State per billboard that something touches: the sheet as it was left \[m\], steps
+//! since then, and by which way each vertex left the body. Reads: distance maps ([`crate::interaction::distance_map`]), the pose in the
+//! wind. Writes: state. Twins: the `.wgsl` files beside.
 //! Differs from the paper: columns keep their lengths, directions recover, what finds no way out lies down (docs/papers.md).
 //!
 //! | file | what |
@@ -39,8 +39,8 @@ pub use step::{HeldSheet, ROUNDS, is_touched, resolve, step};
 pub use sweep::sweep;
 pub use wind::{Wave, pose, sway};
 
-/// The functions of one billboard in WGSL, in the order they need each other; they need `math` and [`crate::interaction::distance_map::WGSL`] before
-/// them, and `springs_map(index: u32) -> DistanceMapHead` from the host.
+/// The functions of one billboard in WGSL, in the order they need each other; they need `math` and
+/// [`crate::interaction::distance_map::WGSL`] before them, and `springs_map(index: u32) -> DistanceMapHead` from the host.
 pub const WGSL: [&str; 10] = [
     include_str!("vector.wgsl"),
     include_str!("sheet.wgsl"),

@@ -1,7 +1,7 @@
 //! Which billboards have a sheet: only those that something touches or that still recover.
 //!
-//! Orthmann et al. 2009, §5.1 and §7 (60 000 billboards in 12 MB); methods §4. A sheet takes [`words`] words of 32 bits; whoever is touched gets the
-//! lowest free place. Where none is free, the sheet nearest to having recovered makes room (of equal ones the lowest billboard); where none
+//! Orthmann et al. 2009, §5.1 and §7 (60 000 billboards in 12 MB); methods §4. A sheet takes [`words`] words of 32 bits; whoever is
+//! touched gets the lowest free place. Where none is free, the sheet nearest to having recovered makes room (of equal ones the lowest billboard); where none
 //! recovers, the new contacts farthest from the focus are refused, and counted. Differs from the paper: billboards, not nodes of a tree.
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,6 +1,7 @@
 //! Vertices go out of bodies, by the way that is shortest and stays above the ground.
 //!
-//! Orthmann et al. 2009, §5.3, eq. 4–5; methods §4. Reads distance maps. Writes vertices, and by which face each of them left. Twin: `push.wgsl`.
+//! Orthmann et al. 2009, §5.3, eq. 4–5; methods §4. Reads distance maps. Writes vertices, and by which face each of them left. Twin:
+//! `push.wgsl`.
 //! Differs from the paper: the face of first contact is kept; a body ends at the ground, so lying flat there is one more way out; the way goes
 //! to the tangent plane of what the face sees (eq. 4–5 multiply the normal in twice).
 

@@ -1,6 +1,7 @@
 //! Recovery: a sheet goes back from where it was left to its pose in the wind, by the directions of its segments.
 //!
-//! Orthmann et al. 2009, §5.5, eq. 8; methods §4. Reads the stored sheet, steps since the last contact, the pose in the wind. Twin: `recover.wgsl`.
+//! Orthmann et al. 2009, §5.5, eq. 8; methods §4. Reads the stored sheet, steps since the last contact, the pose in the wind. Twin:
+//! `recover.wgsl`.
 //! Differs from the paper: directions are blended, not positions, so lengths hold; from the sheet as stored, not as last shown, so the frame
 //! rate does not matter; t²(3 − 2t) starts and ends gently, t³ of the paper is a choice.
 

@@ -1,7 +1,7 @@
 //! A billboard as a sheet of vertices: where it is rooted, how far its vertices are apart at rest.
 //!
-//! Orthmann et al. 2009, §5.2 and §5.4; methods §4. Columns stand side by side, rows from the root up; a column is a polyline of segments of equal
-//! length, its lowest vertex fixed on the ground. Vertices are m from the patch's corner (heights absolute). Twin: `sheet.wgsl`.
+//! Orthmann et al. 2009, §5.2 and §5.4; methods §4. Columns stand side by side, rows from the root up; a column is a polyline of segments
+//! of equal length, its lowest vertex fixed on the ground. Vertices are m from the patch's corner (heights absolute). Twin: `sheet.wgsl`.
 
 use bytemuck::{Pod, Zeroable};
 

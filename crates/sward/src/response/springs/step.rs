@@ -1,7 +1,7 @@
 //! One step of one billboard.
 //!
-//! Orthmann et al. 2009, §5, Fig. 3; methods §4. Reads distance maps, the pose in the wind. Writes the stored sheet, steps since the last contact,
-//! ways out. Twin: `step.wgsl`. Differs from the paper: recovery into a body is no recovery, so grass leans on what stands still.
+//! Orthmann et al. 2009, §5, Fig. 3; methods §4. Reads distance maps, the pose in the wind. Writes the stored sheet, steps since the last
+//! contact, ways out. Twin: `step.wgsl`. Differs from the paper: recovery into a body is no recovery, so grass leans on what stands still.
 
 use super::lay::{lay, spread};
 use super::lengths::pass;
