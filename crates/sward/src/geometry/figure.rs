@@ -1,18 +1,16 @@
 //! Meshes of glTF bodies: every vertex follows its frames (linear blend skinning, glTF 2.0 §3.7.3.3).
 
-use glam::{Mat4, Vec3};
+use glam::Vec3;
 
 use super::mesh::{Mesh, Vertex};
 use crate::interaction::FigureBody;
+use crate::interaction::skin::blended;
 
 /// The body's mesh in its own frame, m, `elapsed` seconds after it appeared. Vertices keep their number and order.
 pub fn figure_mesh(body: &FigureBody, elapsed: f64) -> Mesh {
-    let frames: Vec<Mat4> = body.pose(elapsed).iter().map(|frame| frame.as_mat4()).collect();
+    let frames = body.pose(elapsed);
     let vertices = body.figure.vertices.iter().map(|vertex| {
-        let mut matrix = frames[usize::from(vertex.frames[0])] * vertex.weights[0];
-        for k in (1..4).filter(|k| vertex.weights[*k] > 0.0) {
-            matrix += frames[usize::from(vertex.frames[k])] * vertex.weights[k];
-        }
+        let matrix = blended(&frames, vertex).as_mat4();
         Vertex {
             position: matrix.transform_point3(vertex.position.into()).to_array(),
             normal: matrix.transform_vector3(vertex.normal.into()).normalize_or(Vec3::Y).to_array(),

@@ -4,6 +4,8 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::interaction::distance_map::{Cube, DistanceMap};
+
 /// What a surface looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
@@ -173,6 +175,12 @@ impl Mesh {
                 self.indices.extend([at, at + 2, at + 1, at + 1, at + 2, at + 3]);
             }
         }
+    }
+
+    /// Its depth cube map, `size` texels along a side.
+    pub fn distance_map(&self, size: u32) -> DistanceMap {
+        let points: Vec<[f32; 3]> = self.vertices.iter().map(|vertex| vertex.position).collect();
+        DistanceMap::new(Cube::around(&points, size), size, &points, self.indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]))
     }
 
     /// Appends another mesh.

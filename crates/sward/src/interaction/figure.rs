@@ -64,6 +64,12 @@ impl FigureBody {
         self.clip.is_some() && self.speed != 0.0
     }
 
+    /// Seconds in which its clip plays once; 0 where it plays none.
+    pub fn period(&self) -> f64 {
+        let Some(clip) = self.clip.map(|clip| &self.figure.clips[clip]).filter(|_| self.speed != 0.0) else { return 0.0 };
+        ((clip.end - clip.begin) / self.speed).abs()
+    }
+
     /// From each frame's vertices to the body's frame, m, `elapsed` seconds after the body appeared.
     pub fn pose(&self, elapsed: f64) -> Vec<DMat4> {
         let time = self.clip.map_or(0.0, |clip| self.figure.clips[clip].time(elapsed, self.speed, self.start, self.repeat));

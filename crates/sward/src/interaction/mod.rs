@@ -5,9 +5,11 @@
 
 mod contact;
 mod convex;
+pub mod distance_map;
 mod figure;
 mod motion;
 mod piece;
+pub mod skin;
 pub mod solid;
 
 /// Contact of one cell in WGSL; the host declares `contact_edge(index: u32) -> ContactEdge`. Needs `math` before it.

@@ -7,6 +7,7 @@ pub mod continuum;
 mod each;
 pub mod oscillation;
 pub mod oscillator;
+pub mod springs;
 mod stage;
 mod stand;
 

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use sward::{
     geometry::billboard,
+    interaction::distance_map,
     picture::aov,
-    response::{chain, continuum},
+    response::{chain, continuum, springs},
     state,
 };
 use sward_wgpu::render::{self, shadow};
@@ -65,6 +66,20 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("STEADY_SPEEDS", Value(chain::SPEEDS as f64)),
         ("STEADY_TOP", Value(f64::from(chain::TOP))),
         ("STANDING_NONE", Value(f64::from(state::NONE))),
+        ("DISTANCE_MAP_EMPTY", Value(f64::from(distance_map::EMPTY))),
+        ("DISTANCE_MAP_STEEP", Source("interaction/distance_map.rs", "STEEP")),
+        ("SPRINGS_MOST_SIDE", Value(springs::MOST_SIDE as f64)),
+        ("SPRINGS_MOST_VERTICES", Value(springs::MOST_VERTICES as f64)),
+        ("SPRINGS_CLEAR", Value(f64::from(springs::CLEAR))),
+        ("SPRINGS_TOLERANCE", Value(f64::from(springs::TOLERANCE))),
+        ("SPRINGS_TRODDEN", Value(f64::from(springs::TRODDEN))),
+        ("SPRINGS_SPREAD", Value(f64::from(springs::SPREAD))),
+        ("SPRINGS_ROUNDS", Value(f64::from(springs::ROUNDS))),
+        ("SPRINGS_HALVINGS", Source("response/springs/lay.rs", "HALVINGS")),
+        ("SPRINGS_SLACK", Source("response/springs/push.rs", "SLACK")),
+        ("SPRINGS_DOWN", Source("response/springs/push.rs", "DOWN")),
+        ("SPRINGS_OPPOSITE", Source("response/springs/vector.rs", "OPPOSITE")),
+        ("SPRINGS_NEAR", Source("response/springs/vector.rs", "NEAR")),
         ("SOLID_AWAY", Source("interaction/solid.rs", "AWAY")),
         ("PUSH_BITS", Source(PUSH, "BITS")),
         ("PUSH_SWEEPS", Source(PUSH, "SWEEPS")),

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use sward::geometry::{billboard, blade, card, relief};
-use sward::response::{chain, continuum, oscillation, oscillator};
+use sward::response::{chain, continuum, oscillation, oscillator, springs};
 use sward::{growth, interaction, math, placement, shading, terrain, wind};
 
 use crate::texts::validate;
@@ -15,6 +15,8 @@ const TERRAIN_STUB: &str = "fn terrain_load(index: i32) -> f32 { return f32(inde
 const WIND_STUB: &str = "fn wind_tile_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 const CONTACT_STUB: &str = "fn contact_edge(index: u32) -> ContactEdge { var edge: ContactEdge; return edge; }";
 const SOLID_STUB: &str = "fn solid_plane(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }";
+const DISTANCE_MAP_STUB: &str = "fn distance_map_load(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }";
+const SPRINGS_STUB: &str = "fn springs_map(index: u32) -> DistanceMapHead { var head: DistanceMapHead; return head; }";
 const STANDING_STUBS: &str = "fn steady_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); } \
     fn standing_load(before: bool, index: u32) -> f32 { return f32(index); }";
 const HELD_STUBS: &str = "fn push_solid(index: u32) -> SolidHead { var solid: SolidHead; return solid; } \
@@ -27,6 +29,7 @@ const REST_STUB: &str = "fn rest_node(index: u32) -> vec2<f32> { return vec2<f32
 fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
     let mut continuum = vec![math::WGSL, interaction::WGSL, CONTACT_STUB, REST_STUB];
     continuum.extend(continuum::WGSL);
+    let distance_map = vec![math::WGSL, DISTANCE_MAP_STUB, interaction::distance_map::WGSL];
     let standing = [&[math::WGSL, oscillation::WGSL], &chain::WGSL[..], &[STANDING_STUBS], &chain::STANDING_WGSL].concat();
     vec![
         ("math", vec![math::WGSL]),
@@ -41,6 +44,8 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("billboard", vec![math::WGSL, billboard::WGSL]),
         ("oscillation", vec![math::WGSL, oscillation::WGSL]),
         ("solid", vec![math::WGSL, SOLID_STUB, interaction::solid::WGSL]),
+        ("springs", [&distance_map[..], &[SPRINGS_STUB], &springs::WGSL].concat()),
+        ("distance_map", distance_map),
         ("standing", standing.clone()),
         ("held", [&standing[..], &[SOLID_STUB, interaction::solid::WGSL, HELD_STUBS], &chain::HELD_WGSL].concat()),
         ("chain stand", vec![math::WGSL, oscillation::WGSL, chain::WGSL[0], chain::WGSL[1], sward_wgpu::compute::blades::CHAIN_STAND_WGSL]),
