@@ -1,12 +1,14 @@
 //! The compiled scene: everything a step reads and never changes, but for the ground where it is edited.
 
 mod limits;
+mod maps;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
 use limits::Named;
+pub use maps::BodyMaps;
 
 use crate::figure::{Figure, FigureError};
 use crate::growth::{Growth, Limit};
@@ -16,6 +18,7 @@ pub use crate::response::StandModel;
 use crate::response::chain::ChainModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::response::oscillator::OscillatorModel;
+use crate::response::springs::SpringsModel;
 use crate::scene::{
     Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
@@ -123,6 +126,8 @@ pub struct Model {
     pub gusty: bool,
     /// Bodies in the scene's order.
     pub bodies: Vec<BodyModel>,
+    /// What they look like from six sides.
+    pub maps: BodyMaps,
 }
 
 /// A source of wind that has a place.
@@ -241,6 +246,7 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
             tolerance: tolerance(&species, chain.as_ref(), oscillator.as_ref(), sources),
             chain,
             oscillator,
+            springs: SpringsModel::of(&species, dt, scene.budget.sheets),
             species,
             cells: stand.cells,
             patch_side,
@@ -400,6 +406,8 @@ impl Model {
         let limits = limits::of(scene, assets)?;
         let stands = stand_models(scene, &sources, &limits)?;
         let (blowers, images) = blowers(scene, assets)?;
+        let bodies = body_models(scene, assets)?;
+        let texels = stands.iter().filter_map(|stand| stand.springs.as_ref()).map(|springs| springs.texels).max().unwrap_or(0);
         Ok(Self {
             dt: 1.0 / f64::from(scene.steps_per_second),
             rate: scene.steps_per_second,
@@ -412,7 +420,8 @@ impl Model {
             sources,
             blowers,
             images: Arc::new(images),
-            bodies: body_models(scene, assets)?,
+            maps: BodyMaps::of(&bodies, texels),
+            bodies,
         })
     }
 

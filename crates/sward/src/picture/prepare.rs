@@ -10,10 +10,11 @@ use super::plan::{FULL_CELLS, PatchDraw, Seen, THINNING, bits};
 use super::plants::Plant;
 use crate::geometry::billboard::{CLEARANCE, earlier, segment};
 use crate::math;
-use crate::placement::{self, PlacementParameters};
+use crate::placement::{self, PlacementParameters, Plant as Placed};
 use crate::response::StandModel;
 use crate::response::chain::{self, ChainModel, HeldBlade, Standing};
 use crate::response::oscillator::{self, Air, OscillatorCoefficients, Own, Record};
+use crate::response::springs::{self, Sheet, SheetRoot, SpringsModel};
 use crate::shading::clump::{VARIANTS, first_layer};
 use crate::shading::look::Look;
 use crate::state::{Cells, NONE};
@@ -219,6 +220,9 @@ impl Preparing<'_> {
         if let Some(chain) = &self.stand.chain {
             return self.chain_bends(chain, draw, phases, who, bends);
         }
+        if let Some(springs) = &self.stand.springs {
+            return self.sheet_bends(springs, draw, phases, who, bends);
+        }
         if let Some(oscillator) = &self.stand.oscillator {
             return self.swings(&oscillator.coefficients, draw, phases, who, bends);
         }
@@ -284,6 +288,36 @@ impl Preparing<'_> {
         for (segment, out) in bends.iter_mut().enumerate() {
             *out = oscillator::curved(co.curve, bend, segment as u32, segments);
         }
+    }
+
+    /// The same where bodies deform billboards: as the middle of the billboard's sheet bends.
+    fn sheet_bends(&self, springs: &SpringsModel, draw: &PatchDraw, phases: &Phases, who: &Who, bends: &mut [[f32; 2]]) {
+        let (height, slope) = self.terrain.height_and_gradient(draw.anchor, who.local);
+        let plant = Placed { root: who.local, height: who.tall, yaw: who.yaw, tint: 0.0 };
+        let root = springs.root(&plant, height, slope);
+        let target = springs::target_of(springs, &root, self.wind, phases);
+        let sheet = self.stored_sheet(springs, draw, who.index, &root, &target);
+        let (columns, rows) = springs.coefficients.sides();
+        let count = bends.len();
+        for (segment, bend) in bends.iter_mut().enumerate() {
+            let row = (segment * (rows - 1) + (rows - 1) / 2) / count.max(1);
+            let at = |row: usize| sheet.at[row.min(rows - 1) * columns + columns / 2];
+            let (low, high) = (at(row), at(row + 1));
+            let [x, y, z] = [0, 1, 2].map(|axis: usize| high[axis] - low[axis]);
+            let level = (x * x + z * z).sqrt();
+            let share = math::atan2(level, y) / math::upper(level, 1e-9);
+            *bend = [x * share, z * share];
+        }
+    }
+
+    /// The sheet of the billboard of a cell, at the moment of the picture; `target` where it has none of its own.
+    fn stored_sheet(&self, springs: &SpringsModel, draw: &PatchDraw, index: u32, root: &SheetRoot, target: &Sheet) -> Sheet {
+        let (co, area) = (&springs.coefficients, self.uniform.placement.cells * self.uniform.placement.cells);
+        let places = self.cells.now.get(draw.slots[4] as usize);
+        let place = places.and_then(|places| places.get((index % area) as usize)).map_or(NONE, |place| place.to_bits());
+        let words = springs::pool::words(co);
+        let stored = if place == NONE { None } else { self.cells.sheets.get(place as usize * words..).and_then(|sheet| sheet.get(..words)) };
+        stored.map_or(*target, |stored| springs::pool::load(co, root, stored).shown(co, root, target))
     }
 
     /// The state of a blade of a lag slot, if it has one.
