@@ -283,7 +283,8 @@ fn sheets(model: &StandModel, sheets: Sheets, words: Vec<u32>) -> Result<(Sheets
     let (columns, rows) = springs.coefficients.sides();
     let points = 3 * columns * (rows - 1);
     // Metres from a patch's corner, and absolute heights.
-    let near = words.chunks(each).flat_map(|sheet| &sheet[..points.min(sheet.len())]).all(|word| (-1e6..=1e6).contains(&f32::from_bits(*word)));
+    let near =
+        words.chunks(each).flat_map(|sheet| &sheet[..points.min(sheet.len())]).all(|word| (-1e6..=1e6).contains(&f32::from_bits(*word)));
     let counted = sheets.pool.is_sound(springs.capacity) && sheets.since.len() == used;
     if whole && near && counted && words.len() / each <= springs.capacity as usize { Ok((sheets, words)) } else { damaged }
 }

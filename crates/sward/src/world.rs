@@ -15,11 +15,11 @@ use crate::model::{Assets, Blower, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, SheetPlan, StandPlan, around, patches_under, weights};
 use crate::response::{Stage, chain, continuum, oscillator, springs};
 use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
-use crate::state::{SheetPool, Sheets, BodyState, NONE, PatchKey, StandState, State, Summary, TILE};
+use crate::state::{BodyState, NONE, PatchKey, SheetPool, Sheets, StandState, State, Summary, TILE};
 use crate::terrain::TerrainError;
 use crate::view::View;
-use sheets::Near;
 use crate::wind::WindField;
+use sheets::Near;
 
 /// Faster than this, m/s, a body has jumped: it sweeps nothing.
 const JUMP: f64 = 150.0;

@@ -171,6 +171,7 @@ impl Studio {
         if matches!(cells, CellsAt::Cpu) {
             for ((buffers, state), stand) in self.uploaded.iter_mut().zip(&world.state.stands).zip(&world.model.stands) {
                 buffers.reserve(gpu, state, !stand.stores_ground(&world.model.terrain))?;
+                buffers.reserve_sheets(gpu, state)?;
                 buffers.upload(gpu, state);
             }
         }

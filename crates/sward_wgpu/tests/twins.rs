@@ -24,6 +24,8 @@ mod runs;
 mod scenes;
 #[path = "support/shading.rs"]
 mod shading;
+#[path = "support/sheets.rs"]
+mod sheets;
 #[path = "support/swings.rs"]
 mod swings;
 
@@ -64,6 +66,8 @@ fn main() -> std::process::ExitCode {
         ("swing_runs", swings::run),
         ("swing_costs", swings::released_plants_cost_nothing),
         ("swings_solved", prepared::swings_solved),
+        ("sheet_runs", sheets::run),
+        ("sheets_bent", prepared::sheets_bent),
         ("chain_steps", chains::steps),
         ("chain_poses", chains::poses),
         ("strips", blades::strips),

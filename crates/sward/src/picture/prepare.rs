@@ -316,7 +316,8 @@ impl Preparing<'_> {
         let places = self.cells.now.get(draw.slots[4] as usize);
         let place = places.and_then(|places| places.get((index % area) as usize)).map_or(NONE, |place| place.to_bits());
         let words = springs::pool::words(co);
-        let stored = if place == NONE { None } else { self.cells.sheets.get(place as usize * words..).and_then(|sheet| sheet.get(..words)) };
+        let stored =
+            if place == NONE { None } else { self.cells.sheets.get(place as usize * words..).and_then(|sheet| sheet.get(..words)) };
         stored.map_or(*target, |stored| springs::pool::load(co, root, stored).shown(co, root, target))
     }
 

@@ -10,9 +10,9 @@ use super::World;
 use crate::interaction::distance_map::DistanceMapHead;
 use crate::interaction::solid::WorldSolid;
 use crate::math;
-use crate::plan::{ActiveSheet, StandPlan};
+use crate::plan::{ActiveSheet, Plan, StandPlan};
 use crate::response::continuum::NODE_CELLS;
-use crate::response::springs::{SpringsModel, moments, root_of, target_of};
+use crate::response::springs::{self, SpringsModel, moments, root_of, target_of};
 use crate::state::{Billboard, PatchKey};
 use crate::wind::WindField;
 
@@ -122,7 +122,9 @@ impl World {
             let (x, z) = (foot[0] - focus[0], foot[2] - focus[1]);
             (x * x + z * z).sqrt()
         };
-        touches.then(|| self.state.focuses.iter().map(away).fold(f64::from(f32::MAX), |least, now| if now < least { now } else { least }) as f32)
+        touches.then(|| {
+            self.state.focuses.iter().map(away).fold(f64::from(f32::MAX), |least, now| if now < least { now } else { least }) as f32
+        })
     }
 
     /// The growth map of a patch, known or worked out.
@@ -241,7 +243,11 @@ impl World {
             let (Some(before), Some(now), Some((map, first))) = (state.before, state.pose, self.model.maps.place(body)) else { continue };
             let way = [now.ground[0] - before.ground[0], now.height - before.height, now.ground[1] - before.ground[1]];
             let long = (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt();
-            let stride = own.figure.as_ref().filter(|figure| figure.is_animated()).map_or(0.0, |figure| figure.stride(state.clock[0], state.clock[1]));
+            let stride = own
+                .figure
+                .as_ref()
+                .filter(|figure| figure.is_animated())
+                .map_or(0.0, |figure| figure.stride(state.clock[0], state.clock[1]));
             count = count.max(moments(long as f32 + stride, length as f32));
             if long > fastest {
                 fastest = long;
@@ -265,6 +271,17 @@ impl World {
         let read: BTreeSet<u32> = stands.iter().flat_map(|plan| &plan.sheets.heads).map(|head| head.body).collect();
         let moving = read.into_iter().filter(|body| self.model.bodies[*body as usize].is_animated());
         moving.map(|body| (body, self.state.bodies[body as usize].clock[1])).collect()
+    }
+
+    /// The step of all stands whose billboards bodies deform, for a backend that leaves them to the core.
+    pub fn step_sheets(&mut self, plan: &Plan) {
+        self.draw_maps(&plan.maps);
+        let World { model, state, texels, .. } = self;
+        for ((stand, plan), state) in model.stands.iter().zip(&plan.stands).zip(&mut state.stands) {
+            if let Some(springs) = &stand.springs {
+                springs::step_stand(&model.terrain, stand, springs, plan, texels, &mut state.cells, &mut |_| ());
+            }
+        }
     }
 
     /// Draws the maps of bodies anew that play a clip.

@@ -12,7 +12,8 @@ fn apart(a: [f32; 3], b: [f32; 3]) -> f32 {
 
 #[test]
 fn a_walker_goes_through_and_all_recover() {
-    let walker = "interactors: [(shape: Ellipsoid(radii: (0.25, 0.9, 0.25)), path: Circle(centre: (4, 4), radius: 3, speed: 1.5), until: 4)]";
+    let walker =
+        "interactors: [(shape: Ellipsoid(radii: (0.25, 0.9, 0.25)), path: Circle(centre: (4, 4), radius: 3, speed: 1.5), until: 4)]";
     let mut world = meadow("recover: 1.5", &format!("wind: [Natural(velocity: (3, 1))], {walker}"));
     let (mut jump, mut stretch, mut lowest, mut bent): (f32, f32, f32, u32) = (0.0, 0.0, 1.0, 0);
     let mut before: BTreeMap<_, Deformed> = BTreeMap::new();
@@ -47,7 +48,8 @@ fn a_walker_goes_through_and_all_recover() {
 /// Just before a sheet is given back it stands as one without would: giving it back is not seen.
 #[test]
 fn giving_back_is_not_seen() {
-    let mut world = meadow("recover: 0.5", "interactors: [(shape: Sphere(radius: 0.5), path: Circle(centre: (4, 4), radius: 2, speed: 3), until: 2)]");
+    let mut world =
+        meadow("recover: 0.5", "interactors: [(shape: Sphere(radius: 0.5), path: Circle(centre: (4, 4), radius: 2, speed: 3), until: 2)]");
     let (mut last, mut given, mut farthest): (BTreeMap<_, Deformed>, u32, f32) = (BTreeMap::new(), 0, 0.0);
     for _ in 0..240 {
         world.step();

@@ -4,7 +4,7 @@ use sward::picture::past::Past;
 pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
 use sward::picture::plan::{Seen, THINNING};
 pub use sward::picture::prepare::PrepareUniform;
-use sward::response::{StandModel, chain, oscillation, oscillator};
+use sward::response::{StandModel, chain, oscillation, oscillator, springs};
 use sward::scene::Precision;
 use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
@@ -17,8 +17,13 @@ use super::height_samples::HeightSamples;
 use crate::compute::CELLS_WGSL;
 use crate::compute::blades::CHAIN_STAND_WGSL;
 use crate::compute::buffers::{CellBuffers, Numbers};
+use crate::compute::sheets::SHEET_WORDS_WGSL;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
+
+/// Pictures push nothing out of bodies.
+const NO_BODIES: &str = "fn distance_map_load(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }
+fn springs_map(index: u32) -> DistanceMapHead { var head: DistanceMapHead; head.first = index; return head; }";
 
 /// How a stand bends its plants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +34,8 @@ pub enum Bending {
     Chain,
     /// Every plant swings by itself.
     Swing,
+    /// Bodies deform billboards.
+    Sheet,
 }
 
 impl Bending {
@@ -36,6 +43,7 @@ impl Bending {
     pub fn of(stand: &StandModel) -> Self {
         match (&stand.chain, &stand.oscillator) {
             (Some(_), _) => Self::Chain,
+            _ if stand.springs.is_some() => Self::Sheet,
             (_, Some(_)) => Self::Swing,
             _ => Self::Continuum,
         }
@@ -46,6 +54,7 @@ impl Bending {
         match &cells.numbers {
             Some(Numbers::Chain(_)) => Self::Chain,
             Some(Numbers::Swing(_)) => Self::Swing,
+            Some(Numbers::Sheet(_)) => Self::Sheet,
             None => Self::Continuum,
         }
     }
@@ -60,6 +69,10 @@ impl Bending {
         let common = include_str!("bends.wgsl");
         match self {
             Self::Continuum => vec![common, include_str!("continuum_bends.wgsl")],
+            Self::Sheet => {
+                let bodies = [sward::interaction::distance_map::WGSL, NO_BODIES];
+                [&bodies[..], &springs::WGSL, &[SHEET_WORDS_WGSL, common, include_str!("sheet_bends.wgsl")]].concat()
+            }
             Self::Swing => {
                 let [swing, air] = oscillator::POSE_WGSL;
                 vec![oscillation::WGSL, swing, air, common, include_str!("swing_bends.wgsl")]
@@ -113,6 +126,8 @@ pub struct PreparePass {
     by_blade: Option<wgpu::ComputePipeline>,
     /// For stands of plants that swing by themselves, where there are any.
     swinging: Option<wgpu::ComputePipeline>,
+    /// For stands whose billboards bodies deform, where there are any.
+    deformed: Option<wgpu::ComputePipeline>,
     /// What other passes read too.
     pub shared: Shared,
 }
@@ -160,7 +175,7 @@ impl PreparePass {
         };
         let continuum = module(Bending::Continuum);
         let of = |bending: Bending| bending.is_in(world).then(|| module(bending));
-        let (by_blade, swinging) = (of(Bending::Chain), of(Bending::Swing));
+        let [by_blade, swinging, deformed] = [Bending::Chain, Bending::Swing, Bending::Sheet].map(of);
         let pipeline = |module: &wgpu::ShaderModule, half: f64| {
             gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some("prepare"),
@@ -177,6 +192,7 @@ impl PreparePass {
             half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(&continuum, 1.0)),
             by_blade: by_blade.map(|module| pipeline(&module, 0.0)),
             swinging: swinging.map(|module| pipeline(&module, 0.0)),
+            deformed: deformed.map(|module| pipeline(&module, 0.0)),
             shared: Shared {
                 heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
                 tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
@@ -263,6 +279,7 @@ impl PreparePass {
         let pipeline = match Bending::of_cells(cells) {
             Bending::Chain => self.by_blade.as_ref(),
             Bending::Swing => self.swinging.as_ref(),
+            Bending::Sheet => self.deformed.as_ref(),
             Bending::Continuum => None,
         };
         if let Some(numbers) = &cells.numbers {
@@ -270,6 +287,11 @@ impl PreparePass {
         }
         // It has no upper segments.
         entries.retain(|entry| entry.binding != 4 || Bending::of_cells(cells) != Bending::Swing);
+        if Bending::of_cells(cells) == Bending::Sheet {
+            // They have sheets instead, and no time level before.
+            entries.retain(|entry| !matches!(entry.binding, 4 | 9));
+            entries.push(wgpu::BindGroupEntry { binding: 4, resource: cells.sheets.as_entire_binding() });
+        }
         let pipeline = pipeline.unwrap_or_else(half);
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("prepare"),
