@@ -16,6 +16,7 @@ fn main() -> std::process::ExitCode {
         ("paper", rastered::paper),
         ("endless", rastered::endless),
         ("blades", rastered::blades),
+        ("surroundings", rastered::surroundings),
     ];
     adapter::run(tests, |_, _| None)
 }

@@ -14,6 +14,7 @@ use sward_wgpu::gpu::Gpu;
 use crate::arguments::{self, Machine, Where};
 use crate::artist::{self, Artist};
 use crate::backend::Backend;
+use crate::cache::Cache;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::output;
@@ -39,7 +40,7 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
         world.scene.budget.precision = precision.into();
     }
     let gpu = artist::adapter_by(Gpu::with_clock, arguments.draw, on, console)?;
-    let mut artist = Artist::choose(arguments.draw, gpu.as_ref(), &world, arguments.size)?;
+    let mut artist = Artist::choose(arguments.draw, gpu.as_ref(), &world, arguments.size, (&Cache::new(&arguments.caching), console))?;
     let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
     if let Some(folder) = &arguments.output {
         output::make_folder(folder)?;
