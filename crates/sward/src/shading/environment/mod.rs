@@ -23,6 +23,8 @@ pub const WGSL: &str = include_str!("environment.wgsl");
 pub const MOST_COLUMNS: u32 = 4096;
 /// Sine of the height up to which the sky colours far air.
 const HORIZON: f64 = 0.10;
+/// Light of far air before the ground, as a share of that of the sky near the horizon.
+const AIR: f64 = 0.85;
 /// What the ground under an open sky sends back, linear RGB: as in [`Light::new`].
 const GROUND: Vec3 = Vec3::new(0.10, 0.12, 0.05);
 /// Level light of 1 is exposed like this: the sky of [`super::sky`] has some 3, and is exposed 1.4 times.
@@ -147,8 +149,8 @@ impl Environment {
             }
         });
         self.level = level.map(|sum| Vec3::from(sum.map(|sum| sum as f32)));
-        // The second pair is damped, so that no bright sun leaves ripples.
-        let damped = [1.0, 1.0, 1.0, 0.5, 0.5];
+        // The second pair is damped, so that no bright sun leaves ripples; and air before hills is darker than that before the sky.
+        let damped = [1.0, 1.0, 1.0, 0.5, 0.5].map(|share| AIR * share);
         self.horizon = std::array::from_fn(|k| Vec3::from(waves[k].map(|sum| (damped[k] * sum / weight.max(1e-9)) as f32)));
     }
 }
