@@ -148,7 +148,12 @@ pub(crate) fn surroundings(gpu: &Gpu) -> Verdict {
         scene.light.environment =
             Some(sward::scene::Environment { file: SURROUNDINGS.to_owned(), strength: 1.0, turn: 0.4, volume: volume.clone() });
     };
-    same_changed(gpu, "road", 4.0, light)?;
+    same_changed(gpu, "crossing", 3.0, |scene| {
+        light(scene);
+        let [x, _, z] = scene.camera.target;
+        let area = sward::scene::Area::Disc(sward::scene::Disc { at: [x, z], radius: 2.0 });
+        scene.exclusions.push(sward::scene::Exclusion { area, ..Default::default() });
+    })?;
     same_changed(gpu, "hello", 6.2, |scene| {
         light(scene);
         scene.stands[0].representation = Some(sward::scene::Representation::Blade(Default::default()));
