@@ -22,6 +22,7 @@ use crate::response::springs::SpringsModel;
 use crate::scene::{
     Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
+use crate::shading::environment::Environment;
 use crate::state::{BodyState, Root};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::{Flow, Images, Source, Tile};
@@ -128,6 +129,8 @@ pub struct Model {
     pub bodies: Vec<BodyModel>,
     /// What they look like from six sides.
     pub maps: BodyMaps,
+    /// The picture of the surroundings, where there is one.
+    pub environment: Option<Arc<Environment>>,
 }
 
 /// A source of wind that has a place.
@@ -335,6 +338,16 @@ fn load_terrain(terrain: &SceneTerrain, assets: &dyn Assets) -> Result<Terrain, 
     Terrain::from_image(&pixels, &text, image.scale, image.offset).map_err(bad)
 }
 
+/// The picture of the surroundings.
+fn environment(scene: &Scene, assets: &dyn Assets) -> Result<Option<Arc<Environment>>, SceneError> {
+    let Some(given) = &scene.light.environment else { return Ok(None) };
+    let trail = Trail::default().key("light").key("environment").key("file");
+    let bytes = read(&given.file, &trail, assets)?;
+    let help = "export it as an equirectangular Radiance picture (.hdr), twice as wide as high, at most 4096 pixels wide";
+    let bad = |message: String| SceneError::in_file(&given.file, message).named_by(trail.clone()).advise(help);
+    Ok(Some(Arc::new(Environment::from_hdr(&bytes, given.strength, given.turn).map_err(bad)?)))
+}
+
 /// The bumps on the ground, anchored to what they lie on.
 fn detail_of(scene: &Scene) -> Detail {
     let origin = match &scene.terrain {
@@ -422,6 +435,7 @@ impl Model {
             images: Arc::new(images),
             maps: BodyMaps::of(&bodies, texels),
             bodies,
+            environment: environment(scene, assets)?,
         })
     }
 

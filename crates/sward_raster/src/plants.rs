@@ -168,7 +168,13 @@ impl Batch {
             let plant = &self.plants[index as usize];
             if let Some(keep) = self.keep(sight, plant) {
                 let pattern = patchwork(sight.pattern(plant.root.into()));
-                let of = LeafOf { style: &self.style, clump: clumps.layer(plant.layer), patchwork: pattern, tint: plant.tint };
+                let of = LeafOf {
+                    style: &self.style,
+                    clump: clumps.layer(plant.layer),
+                    patchwork: pattern,
+                    tint: plant.tint,
+                    root: plant.root[1],
+                };
                 for card in 0..self.cards() {
                     let rungs = self.card(plant, self.joints_of(index as usize), card, keep);
                     self.draw_card(sight, tile, &of, &rungs, flip(plant));

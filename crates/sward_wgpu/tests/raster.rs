@@ -17,6 +17,7 @@ fn main() -> std::process::ExitCode {
         ("endless", rastered::endless),
         ("blades", rastered::blades),
         ("footsteps", rastered::footsteps),
+        ("surroundings", rastered::surroundings),
     ];
     adapter::run(tests, |_, _| None)
 }

@@ -14,6 +14,8 @@ mod controls;
 mod halves;
 #[path = "support/kernels.rs"]
 mod kernels;
+#[path = "support/lit.rs"]
+mod lit;
 #[path = "support/maths.rs"]
 mod maths;
 #[path = "support/prepared.rs"]
@@ -55,6 +57,10 @@ fn main() -> std::process::ExitCode {
         ("grounds", shading::grounds),
         ("earths", shading::earths),
         ("bodies_lit", shading::bodies),
+        ("surroundings", lit::surroundings),
+        ("leaves_in_a_volume", lit::leaves),
+        ("blades_in_a_volume", lit::blades),
+        ("grounds_in_a_volume", lit::grounds),
         ("rungs", shading::rungs),
         ("reliefs", shading::reliefs),
         ("relief_edits", shading::relief_edits),

@@ -9,6 +9,7 @@ use sward::picture::aov::AovUniform;
 use sward::picture::blade_plan::BladeUniform;
 use sward::picture::blades::Blade;
 use sward::picture::frame::FrameUniform;
+use sward::picture::volume::AmbientUniform;
 use sward::placement::PlacementParameters;
 use sward::response::continuum::{Coefficients, LagCoefficients};
 use sward::response::oscillator::OscillatorCoefficients;
@@ -173,6 +174,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("Style", text_of("plants"), layout!(Style { root, tip, mean, shape })),
         ("ShadingTurf", text_of("ground"), layout!(Turf { root, tip, mean })),
         ("Frame", text_of("sky"), frame),
+        ("Ambient", text_of("sky in surroundings"), layout!(AmbientUniform { place, shape, disc, horizon })),
         ("Blades", text_of("blades, solved"), blades),
         ("Blade", text_of("blades, solved"), layout!(Blade { root, height, yaw, width, tint, twist, slope, draw, rank })),
         ("BladeStyle", text_of("blades"), layout!(BladeStyle { root, tip, light, shape })),
