@@ -10,6 +10,8 @@ mod chains;
 mod continuum;
 #[path = "support/controls.rs"]
 mod controls;
+#[path = "support/distance_maps.rs"]
+mod distance_maps;
 #[path = "support/halves.rs"]
 mod halves;
 #[path = "support/kernels.rs"]
@@ -24,6 +26,8 @@ mod runs;
 mod scenes;
 #[path = "support/shading.rs"]
 mod shading;
+#[path = "support/springs.rs"]
+mod springs;
 #[path = "support/swings.rs"]
 mod swings;
 
@@ -64,6 +68,12 @@ fn main() -> std::process::ExitCode {
         ("swing_runs", swings::run),
         ("swing_costs", swings::released_plants_cost_nothing),
         ("swings_solved", prepared::swings_solved),
+        ("distance_maps", distance_maps::solids),
+        ("distance_maps_of_figures", distance_maps::figures),
+        ("springs_contacts", springs::contacts),
+        ("springs_poses", springs::poses),
+        ("springs_recoveries", springs::recoveries),
+        ("springs_steps", springs::steps),
         ("chain_steps", chains::steps),
         ("chain_poses", chains::poses),
         ("strips", blades::strips),
@@ -96,5 +106,5 @@ fn main() -> std::process::ExitCode {
         ("room_ends", halves::room_ends),
         ("one_dispatch_a_stage", halves::one_dispatch_a_stage),
     ];
-    adapter::run(tests, |_, _| None)
+    adapter::run(tests, |_, name| distance_maps::missing(name))
 }
