@@ -1,8 +1,13 @@
 //! Billboards on springs: how points lie to bodies, the pose in the wind, recovery, the surface between vertices, and whole steps.
 
+use std::cell::Cell;
+
+use libtest_mimic::Failed;
 use sward::interaction::distance_map::{self, Cube, DistanceMap, DistanceMapHead, contact_at, side};
 use sward::math;
-use sward::response::springs::{self, HeldSheet, Maps, Sheet, SheetRoot, SpringsCoefficients, Wave, pose, recovered, step, surface, sway};
+use sward::response::springs::{
+    self, Faces, MOST_VERTICES, Maps, Sheet, SheetRoot, SpringsCoefficients, Wave, pose, recovered, surface, sway,
+};
 use sward_wgpu::compare::Tolerance;
 use sward_wgpu::gpu::Gpu;
 
@@ -12,6 +17,8 @@ use crate::kernels::{By, Random, Twin, bits};
 
 /// Inputs of the tests that keep sheets: each thread holds several arrays of 81 vertices.
 const SHEETS: u32 = 8192;
+/// Inputs of the tests of sheets among bodies.
+const MOMENTS: u32 = 4096;
 /// Places of bodies.
 const PLACES: u32 = 256;
 /// Vertices of a sheet that are compared, from the first to the last.
@@ -245,72 +252,105 @@ pub(crate) fn recoveries(gpu: &Gpu) -> Verdict {
     ensure(compare(1).is_err(), || "a step later is not found".to_owned())
 }
 
-/// One step of a billboard among bodies. Which way out is nearer, and whether a vertex lies in a body, rounding may decide: then a vertex goes
-/// elsewhere. Control: the bodies a millimetre to the side.
-pub(crate) fn steps(gpu: &Gpu) -> Verdict {
-    let bodies = Bodies::new();
-    let touched = std::cell::Cell::new(0);
-    let compare = |shift: f32| {
-        let moved: Vec<DistanceMapHead> = bodies
-            .heads
-            .iter()
-            .map(|head| DistanceMapHead {
-                centre: {
-                    let mut c = head.centre;
-                    c[0] += shift;
-                    c
-                },
-                ..*head
-            })
-            .collect();
-        let rust = |n: u32, input: &mut Vec<u32>| {
-            let mut random = Random::new(n);
-            let (co, root) = (coefficients(&mut random), root(&mut random));
-            let stored = sheet(&mut random, &co, &root, 1.0);
-            let target = sheet(&mut random, &co, &root, 0.3);
-            let steps = random.whole(0, 90) as u32 * (n % 2);
-            if let Some(word) = random.words.last_mut() {
-                *word = steps;
-            }
-            let (first, count) = (3 * random.whole(0, PLACES as i32) as usize, random.whole(1, 4) as usize);
-            let heading = [random.float(-1.0, 1.0), random.float(-1.0, 1.0)];
-            input.extend(random.words);
-            let mut held = HeldSheet { steps, ..HeldSheet::new(&stored) };
-            let maps = Maps { heads: &moved[first..first + count], texels: &bodies.texels };
-            step(&co, &root, &maps, &target, heading, &mut held);
-            touched.set(touched.get() + u32::from(held.steps == 0));
-            bits(looked_at(&co, &held.stored).into_iter().chain([held.steps as f32, held.faces.iter().map(|face| f32::from(*face)).sum()]))
-        };
-        let host = [
-            STUBS,
-            TABLES,
-            "fn twin() {
-            let co = next_springs();
-            let root = next_root();
-            var stored = next_sheet(co, root);
-            var wind = next_sheet(co, root);
-            let steps = next_u();
-            let first = 3u * next_u();
-            let count = next_u();
-            var faces = SheetFaces();
-            let later = springs_step(co, SpringsMaps(first, count, count - 1u), root, &wind, next_v(), &stored, steps, &faces);
-            put_sheet(co, &stored);
-            put_f(f32(later));
-            var sum = 0u;
-            for (var k = 0u; k < 81u; k++) { sum += faces.way[k]; }
-            put_f(f32(sum));
-        }",
-        ]
-        .concat();
-        let tolerance = Tolerance { p999: 1e-3, rms: 0.2, outlier: 1e-4, share: 5e-3 };
-        Twin { name: "steps among bodies", library: &library(), host: &host, tables: &bodies.tables(), rust }.check_some(
-            gpu,
-            By::Absolute(tolerance),
-            SHEETS,
-        )
+/// Which part of a step is run: its WGSL, and how far roundings may lead.
+struct Part<'a> {
+    name: &'a str,
+    wgsl: &'a str,
+    tolerance: Tolerance,
+}
+
+/// A sheet among bodies of one moment, `rust` and the part on it; the bodies `shift` m to the side in Rust. Returns how many sheets it changed.
+fn part(
+    gpu: &Gpu,
+    bodies: &Bodies,
+    part: &Part<'_>,
+    shift: f32,
+    rust: impl Fn(&SpringsCoefficients, &SheetRoot, &Maps<'_>, [f32; 2], &mut Sheet, &mut Faces),
+) -> Result<u32, Failed> {
+    let changed = Cell::new(0);
+    let moved = |head: &DistanceMapHead| {
+        let [x, y, z, half] = head.centre;
+        DistanceMapHead { centre: [x + shift, y, z, half], moment: 0, ..*head }
     };
-    compare(0.0)?;
-    println!("{} of {SHEETS} sheets touched", touched.get());
-    ensure(touched.get() > SHEETS / 4 && touched.get() < SHEETS, || format!("{} sheets touched", touched.get()))?;
-    ensure(compare(1e-3).is_err(), || "a millimetre is not found".to_owned())
+    let (here, there): (Vec<_>, Vec<_>) = bodies.heads.iter().map(|head| (moved(head), DistanceMapHead { moment: 0, ..*head })).unzip();
+    let twin = |n: u32, input: &mut Vec<u32>| {
+        let mut random = Random::new(n);
+        let (co, root) = (coefficients(&mut random), root(&mut random));
+        let mut now = sheet(&mut random, &co, &root, 1.0);
+        let (first, count) = (3 * random.whole(0, PLACES as i32) as usize, random.whole(1, 4) as usize);
+        let heading = [random.float(-1.0, 1.0), random.float(-1.0, 1.0)];
+        input.extend(random.words);
+        let (before, mut faces) = (now, [0; MOST_VERTICES]);
+        rust(&co, &root, &Maps { heads: &here[first..first + count], texels: &bodies.texels }, heading, &mut now, &mut faces);
+        changed.set(changed.get() + u32::from(now != before));
+        bits(looked_at(&co, &now).into_iter().chain([faces.iter().map(|face| f32::from(*face)).sum()]))
+    };
+    let host = [
+        STUBS,
+        TABLES,
+        "fn twin() {
+        let co = next_springs();
+        let root = next_root();
+        var sheet = next_sheet(co, root);
+        let first = 3u * next_u();
+        let maps = SpringsMaps(first, next_u(), 0u);
+        let heading = next_v();
+        var faces = SheetFaces();
+        ",
+        part.wgsl,
+        "
+        put_sheet(co, &sheet);
+        var sum = 0u;
+        for (var k = 0u; k < 81u; k++) { sum += faces.way[k]; }
+        put_f(f32(sum));
+    }",
+    ]
+    .concat();
+    let tables = [bytemuck::cast_slice(&bodies.texels), bytemuck::cast_slice(&there)];
+    Twin { name: part.name, library: &library(), host: &host, tables: &tables, rust: twin }.check_some(
+        gpu,
+        By::Absolute(part.tolerance),
+        MOMENTS,
+    )?;
+    Ok(changed.get())
+}
+
+/// Checks a part, that it does something, and that a body a millimetre to the side is found.
+fn check(
+    gpu: &Gpu,
+    of: &Part<'_>,
+    rust: impl Fn(&SpringsCoefficients, &SheetRoot, &Maps<'_>, [f32; 2], &mut Sheet, &mut Faces),
+) -> Verdict {
+    let bodies = Bodies::new();
+    let changed = part(gpu, &bodies, of, 0.0, &rust)?;
+    println!("{changed} of {MOMENTS} sheets change");
+    ensure(changed > MOMENTS / 8, || format!("{}: only {changed} sheets change", of.name))?;
+    ensure(part(gpu, &bodies, of, 1e-3, &rust).is_err(), || format!("{}: a millimetre is not found", of.name))
+}
+
+/// Pushes, springs and lengths. Which way out is the nearest, and whether a vertex lies in a body, rounding may decide.
+pub(crate) fn pushes(gpu: &Gpu) -> Verdict {
+    let wgsl = "springs_push(co, maps, root, 0u, &sheet, &faces);
+        var fixed_ = SheetFixed();
+        springs_sweep(co, root, &sheet, &fixed_);
+        springs_pass(co, root, &sheet);";
+    let tolerance = Tolerance { p999: 1e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
+    check(gpu, &Part { name: "pushes, springs and lengths", wgsl, tolerance }, |co, root, maps, _, sheet, faces| {
+        springs::push(co, root, maps, 0, sheet, faces);
+        *sheet = springs::sweep(co, root, sheet, &[false; MOST_VERTICES]);
+        springs::pass(co, root, sheet);
+    })
+}
+
+/// Columns that lie down, no farther than they may. Whether a vertex lies in a body rounding may decide, at each of six halvings.
+pub(crate) fn lays(gpu: &Gpu) -> Verdict {
+    let wgsl = "var before = sheet;
+        springs_lay(co, maps, root, 0u, &sheet, &faces, heading);
+        springs_spread(co, root, &before, &sheet);";
+    let tolerance = Tolerance { p999: 1e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
+    check(gpu, &Part { name: "columns that lie down", wgsl, tolerance }, |co, root, maps, heading, sheet, faces| {
+        let before = *sheet;
+        springs::lay(co, root, maps, 0, sheet, faces, heading);
+        springs::spread(co, root, &before, sheet);
+    })
 }
