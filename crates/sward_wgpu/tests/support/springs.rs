@@ -259,13 +259,13 @@ struct Part<'a> {
     tolerance: Tolerance,
 }
 
-/// A sheet among bodies of one moment, `rust` and the part on it; the bodies `shift` m to the side in Rust. Returns how many sheets it changed.
+/// A sheet among bodies of one moment, `rust` and the part on it; the bodies `shift` m to the side in Rust. Returns how many sheets it changed, as `rust` says.
 fn part(
     gpu: &Gpu,
     bodies: &Bodies,
     part: &Part<'_>,
     shift: f32,
-    rust: impl Fn(&SpringsCoefficients, &SheetRoot, &Maps<'_>, [f32; 2], &mut Sheet, &mut Faces),
+    rust: impl Fn(&SpringsCoefficients, &SheetRoot, &Maps<'_>, [f32; 2], &mut Sheet, &mut Faces) -> bool,
 ) -> Result<u32, Failed> {
     let changed = Cell::new(0);
     let moved = |head: &DistanceMapHead| {
@@ -280,9 +280,9 @@ fn part(
         let (first, count) = (3 * random.whole(0, PLACES as i32) as usize, random.whole(1, 4) as usize);
         let heading = [random.float(-1.0, 1.0), random.float(-1.0, 1.0)];
         input.extend(random.words);
-        let (before, mut faces) = (now, [0; MOST_VERTICES]);
-        rust(&co, &root, &Maps { heads: &here[first..first + count], texels: &bodies.texels }, heading, &mut now, &mut faces);
-        changed.set(changed.get() + u32::from(now != before));
+        let mut faces = [0; MOST_VERTICES];
+        let changes = rust(&co, &root, &Maps { heads: &here[first..first + count], texels: &bodies.texels }, heading, &mut now, &mut faces);
+        changed.set(changed.get() + u32::from(changes));
         bits(looked_at(&co, &now).into_iter().chain([faces.iter().map(|face| f32::from(*face)).sum()]))
     };
     let host = [
@@ -319,7 +319,7 @@ fn part(
 fn check(
     gpu: &Gpu,
     of: &Part<'_>,
-    rust: impl Fn(&SpringsCoefficients, &SheetRoot, &Maps<'_>, [f32; 2], &mut Sheet, &mut Faces),
+    rust: impl Fn(&SpringsCoefficients, &SheetRoot, &Maps<'_>, [f32; 2], &mut Sheet, &mut Faces) -> bool,
 ) -> Verdict {
     let bodies = Bodies::new();
     let changed = part(gpu, &bodies, of, 0.0, &rust)?;
@@ -336,9 +336,10 @@ pub(crate) fn pushes(gpu: &Gpu) -> Verdict {
         springs_pass(co, root, &sheet);";
     let tolerance = Tolerance { p999: 1e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
     check(gpu, &Part { name: "pushes, springs and lengths", wgsl, tolerance }, |co, root, maps, _, sheet, faces| {
-        springs::push(co, root, maps, 0, sheet, faces);
+        let moved = springs::push(co, root, maps, 0, sheet, faces);
         *sheet = springs::sweep(co, root, sheet, &[false; MOST_VERTICES]);
         springs::pass(co, root, sheet);
+        moved
     })
 }
 
@@ -352,5 +353,6 @@ pub(crate) fn lays(gpu: &Gpu) -> Verdict {
         let before = *sheet;
         springs::lay(co, root, maps, 0, sheet, faces, heading);
         springs::spread(co, root, &before, sheet);
+        *sheet != before
     })
 }
