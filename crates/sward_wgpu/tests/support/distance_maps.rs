@@ -29,7 +29,7 @@ struct Body {
 }
 
 impl Body {
-    fn new(name: &str, size: u32, (points, triangles): (Vec<[f32; 3]>, Vec<[u32; 3]>)) -> Self {
+    fn new(name: &str, size: u32, (points, triangles): Triangles) -> Self {
         let cube = Cube::around(&points, size);
         Self { name: name.to_owned(), points, triangles, cube, size }
     }
@@ -48,7 +48,7 @@ impl Body {
 }
 
 /// A ball around a place off the middle, in rings.
-pub(crate) fn ball(rings: u32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+pub(crate) fn ball(rings: u32) -> Triangles {
     let part = std::f32::consts::PI / rings as f32;
     let (mut points, mut triangles) = (Vec::new(), Vec::new());
     for ring in 0..=rings {
@@ -66,7 +66,7 @@ pub(crate) fn ball(rings: u32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
 }
 
 /// A box turned about two axes.
-pub(crate) fn block() -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+pub(crate) fn block() -> Triangles {
     let ((s, c), (t, d)) = (math::sin_cos(0.4), math::sin_cos(0.7));
     let corner = |k: u32| {
         let side = |bit: u32, half: f32| if k & bit == 0 { -half } else { half };
@@ -79,7 +79,7 @@ pub(crate) fn block() -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
 }
 
 /// Triangles anywhere, of any size, far beyond the cube too, damaged ones among them.
-fn litter() -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+fn litter() -> Triangles {
     let mut random = Random::new(7);
     let mut points = Vec::new();
     for k in 0..300 {
@@ -92,6 +92,9 @@ fn litter() -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
     points.extend([[f32::NAN, 0.0, 0.0], [f32::INFINITY; 3]]);
     (points, triangles)
 }
+
+/// Points, and triangles by the indices of their corners.
+type Triangles = (Vec<[f32; 3]>, Vec<[u32; 3]>);
 
 /// All maps in one buffer, a gap before each.
 fn on_gpu(gpu: &Gpu, bodies: &[Body]) -> Result<Vec<Vec<[f32; 4]>>, Failed> {
