@@ -124,12 +124,12 @@ fn on_gpu(gpu: &Gpu, bodies: &[Body]) -> Result<Vec<Vec<[f32; 4]>>, Failed> {
 fn compare(name: &str, body: &Body, ours: &[[f32; 4]], theirs: &[[f32; 4]]) -> Verdict {
     let differ = ours.iter().zip(theirs).filter(|(a, b)| (a[0] < EMPTY) != (b[0] < EMPTY)).count();
     let seen: Vec<_> = ours.iter().zip(theirs).filter(|(a, b)| a[0] < EMPTY && b[0] < EMPTY).collect();
-    let depths =
-        |side: fn(&(&[f32; 4], &[f32; 4])) -> f32| -> Vec<f32> { seen.iter().map(|pair| 0.5 * side(pair) / body.cube.half).collect() };
-    let depth = Deviation::of(&depths(|(a, _)| a[0]), &depths(|(_, b)| b[0]), 1e-6);
-    let normals =
-        |side: fn(&(&[f32; 4], &[f32; 4])) -> [f32; 4]| -> Vec<f32> { seen.iter().flat_map(|pair| side(pair)[1..].to_vec()).collect() };
-    let normal = Deviation::of(&normals(|(a, _)| **a), &normals(|(_, b)| **b), 1e-5);
+    let depth_of = |texel: &[f32; 4]| 0.5 * texel[0] / body.cube.half;
+    let normal_of = |texel: &[f32; 4]| [texel[1], texel[2], texel[3]];
+    let (here, there): (Vec<f32>, Vec<f32>) = seen.iter().map(|(a, b)| (depth_of(a), depth_of(b))).unzip();
+    let depth = Deviation::of(&here, &there, 1e-6);
+    let (here, there): (Vec<[f32; 3]>, Vec<[f32; 3]>) = seen.iter().map(|(a, b)| (normal_of(a), normal_of(b))).unzip();
+    let normal = Deviation::of(here.as_flattened(), there.as_flattened(), 1e-5);
     let same = ours.iter().zip(theirs).filter(|(a, b)| a == b).count();
     println!("{name}: {differ} of {} texels see something on one side only, {same} are the same bits", ours.len());
     println!("{}\n{}", line("  depth, cubes", &depth), line("  normals", &normal));
