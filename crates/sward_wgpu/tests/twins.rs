@@ -10,6 +10,8 @@ mod chains;
 mod continuum;
 #[path = "support/controls.rs"]
 mod controls;
+#[path = "support/distance_maps.rs"]
+mod distance_maps;
 #[path = "support/halves.rs"]
 mod halves;
 #[path = "support/kernels.rs"]
@@ -28,6 +30,8 @@ mod scenes;
 mod shading;
 #[path = "support/sheets.rs"]
 mod sheets;
+#[path = "support/springs.rs"]
+mod springs;
 #[path = "support/swings.rs"]
 mod swings;
 
@@ -74,6 +78,13 @@ fn main() -> std::process::ExitCode {
         ("swings_solved", prepared::swings_solved),
         ("sheet_runs", sheets::run),
         ("sheets_bent", prepared::sheets_bent),
+        ("distance_maps", distance_maps::solids),
+        ("distance_maps_of_figures", distance_maps::figures),
+        ("springs_contacts", springs::contacts),
+        ("springs_poses", springs::poses),
+        ("springs_recoveries", springs::recoveries),
+        ("springs_pushes", springs::pushes),
+        ("springs_lays", springs::lays),
         ("chain_steps", chains::steps),
         ("chain_poses", chains::poses),
         ("strips", blades::strips),
@@ -106,5 +117,5 @@ fn main() -> std::process::ExitCode {
         ("room_ends", halves::room_ends),
         ("one_dispatch_a_stage", halves::one_dispatch_a_stage),
     ];
-    adapter::run(tests, |_, _| None)
+    adapter::run(tests, |_, name| distance_maps::missing(name))
 }

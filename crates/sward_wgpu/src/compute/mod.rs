@@ -5,6 +5,7 @@
 
 pub mod blades;
 pub mod buffers;
+pub mod distance_maps;
 pub mod entries;
 pub mod passes;
 pub mod readback;

@@ -12,6 +12,7 @@ pub(crate) fn assembled() -> Vec<(&'static str, String)> {
     texts.push(("prepare plant by plant", render::prepare::assembled(Bending::Swing)));
     texts.push(("prepare sheet by sheet", render::prepare::assembled(Bending::Sheet)));
     texts.push(("step plant by plant", compute::swings::assembled()));
+    texts.push(("distance maps", compute::distance_maps::assembled()));
     texts.push(("step blade by blade", compute::blades::assembled()));
     texts
 }
