@@ -43,7 +43,7 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "blades" at 5.0;
     "grassland" at 4.0;
     "footsteps" at 5.2;
-    "stamp" at 6.2;
+    "stamp" at 7.3;
 };
 
 /// The files that come with sward.
