@@ -41,7 +41,7 @@ pub struct Record {
     pub deviation: [f32; 2],
     /// Rate along it, rad/s.
     pub rate: f32,
-    /// The lower 24 bits of the number of steps done when it was so, then a byte: [`FREE`], or how far a body turned it in that step, in 127ths of
+    /// The lower 24 bits of the number of steps done when it was so, then a byte: 128 where no body held it, or how far a body turned it in that step, in 127ths of
     /// the most that it may.
     pub stamp: u32,
 }

@@ -1,7 +1,7 @@
 //! A picture of the surroundings as light: sky, sun, and what lies below the horizon.
 //!
 //! Orthmann et al. 2009, §6.1: "sampling an environment map". Pharr & Green 2004 give the idea: light from the directions that are seen.
-//! The sun is taken out of the picture ([`sun`]) and shines by itself, since it casts sharp shadows and no voxel could hold them. Twin:
+//! The sun is taken out of the picture (`sun`) and shines by itself, since it casts sharp shadows and no voxel could hold them. Twin:
 //! `environment.wgsl`.
 
 mod load;
