@@ -3,7 +3,12 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+#[path = "../figures/glb.rs"]
+#[allow(dead_code)] // Only its walker is used.
+mod glb;
+
 mod costs;
+mod figures;
 mod passes;
 mod pools;
 mod stored;
