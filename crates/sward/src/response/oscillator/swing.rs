@@ -30,7 +30,8 @@ impl Own {
         let k = co.stiffness * (1.0 + co.spreads[0] * either(variety & 0xffff));
         let b = co.damping * (1.0 + co.spreads[1] * either(variety >> 16));
         let length = math::upper(co.scale * height, 1e-4);
-        Self { omega_squared: (k - GRAVITY) / length, gamma: b / (2.0 * length) }
+        let over = 1.0 / length;
+        Self { omega_squared: (k - GRAVITY) * over, gamma: 0.5 * b * over }
     }
 }
 

@@ -119,9 +119,11 @@ fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Re
     let names = ["rest", "contact", "wave", "upper segments", "virtual blades", "blades with a state"];
     let is_there = |kind: fn(&StandModel) -> bool| world.model.stands.iter().any(kind);
     let by_blade = is_there(|stand| stand.chain.is_some());
-    let swinging = is_there(|stand| stand.settle().is_some());
-    let continuum = is_there(|stand| stand.chain.is_none() && stand.settle().is_none()) || !(by_blade || swinging);
-    let shown = [continuum || swinging, continuum || swinging, continuum, continuum, by_blade, by_blade];
+    let swinging = is_there(|stand| stand.oscillator.is_some());
+    let deformed = is_there(|stand| stand.springs.is_some());
+    let continuum = is_there(|stand| stand.chain.is_none() && stand.settle().is_none()) || !(by_blade || swinging || deformed);
+    let felt = continuum || swinging;
+    let shown = [felt, felt || deformed, continuum, continuum, by_blade, by_blade];
     let (mut spent, mut begun) = ([0.0; 6], Instant::now());
     let summaries = world.respond_in_stages(&plan, &mut |stage| {
         spent[stage as usize] += 1e3 * begun.elapsed().as_secs_f64();
