@@ -124,7 +124,7 @@ fn swung(s: &Swings, dt: f32) -> Row {
         p.slow[k] = math::exp(p.slow[k]);
     }
     // Plants of a stand mostly are of one case.
-    if over.iter().any(|over| *over == 0) {
+    if over.contains(&0) {
         for k in 0..ROW {
             (p.sine[k], p.cosine[k]) = math::sin_cos(p.root[k] * p.tau[k]);
         }
