@@ -23,7 +23,7 @@ use crate::scene::{
     Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
 use crate::shading::environment::Environment;
-use crate::state::{BodyState, Root};
+use crate::state::{BodyState, PatchKey, Root};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::{Flow, Images, Source, Tile};
 
@@ -395,6 +395,11 @@ pub fn rebased(mut scene: Scene) -> Scene {
     scene.masks.iter_mut().for_each(|mask| move_to(&mut mask.at));
     scene.edits.iter_mut().for_each(|edit| move_to(&mut edit.at));
     scene
+}
+
+/// Whether a patch belongs to a field from its first patch to one past its last; an endless one has all.
+pub(crate) fn in_field(field: Option<[[i32; 2]; 2]>, patch: PatchKey) -> bool {
+    field.is_none_or(|[low, high]| (0..2).all(|axis| patch[axis] >= low[axis] && patch[axis] < high[axis]))
 }
 
 impl Model {

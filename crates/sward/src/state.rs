@@ -145,8 +145,8 @@ impl Default for Awake {
 /// with a state.
 #[derive(Clone, Debug, Default)]
 pub struct Cells {
-    /// Time level n, per slot; 4·cells² values or empty. Of plants that swing by themselves: [`crate::response::oscillator::Record`]s. Of deformed billboards: cells² places of sheets, as bits, or
-    /// [`NONE`]. Blade by blade: the moments of virtual blades \[N·m\], x and y of each segment.
+    /// Time level n, per slot; 4·cells² values or empty. Of plants that swing by themselves:
+    /// [`crate::response::oscillator::Record`]s. Of deformed billboards: cells² places of sheets, as bits, or [`NONE`]. Blade by blade: the moments of virtual blades \[N·m\], x and y of each segment.
     pub now: Vec<Box<[f32]>>,
     /// Time level n−1 (before the step) or n+1 (after it), likewise. Of plants that swing by themselves: their tilt in the wind
     /// ([`crate::response::oscillator::AirStep`]).
@@ -160,7 +160,7 @@ pub struct Cells {
     pub virtual_states: Vec<Box<[f32]>>,
     /// Where the blades of each lag slot stand; derived, kept while they have one.
     pub roots: Vec<Box<[Root]>>,
-    /// Sheets of deformed billboards, place by place: see [`crate::response::springs::pool::store`]; empty where a GPU holds them.
+    /// Sheets of deformed billboards, place by place: see [`crate::response::springs::pool::store`].
     pub sheets: Vec<u32>,
     /// Growth maps of patches in which bodies deform billboards; derived.
     pub grown: BTreeMap<PatchKey, Box<[u8]>>,

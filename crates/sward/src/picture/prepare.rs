@@ -14,7 +14,7 @@ use crate::placement::{self, PlacementParameters, Plant as Placed};
 use crate::response::StandModel;
 use crate::response::chain::{self, ChainModel, HeldBlade, Standing};
 use crate::response::oscillator::{self, Air, OscillatorCoefficients, Own, Record};
-use crate::response::springs::{self, Sheet, SheetRoot, SpringsModel};
+use crate::response::springs::{self, SpringsModel};
 use crate::shading::clump::{VARIANTS, first_layer};
 use crate::shading::look::Look;
 use crate::state::{Cells, NONE};
@@ -296,29 +296,14 @@ impl Preparing<'_> {
         let plant = Placed { root: who.local, height: who.tall, yaw: who.yaw, tint: 0.0 };
         let root = springs.root(&plant, height, slope);
         let target = springs::target_of(springs, &root, self.wind, phases);
-        let sheet = self.stored_sheet(springs, draw, who.index, &root, &target);
-        let (columns, rows) = springs.coefficients.sides();
-        let count = bends.len();
+        let (co, area) = (&springs.coefficients, self.uniform.placement.cells * self.uniform.placement.cells);
+        let stored = springs::pool::stored(co, self.cells, draw.slots[4], who.index % area);
+        let sheet = stored.map_or(target, |stored| springs::pool::load(co, &root, stored).shown(co, &root, &target));
+        let (rows, count) = (co.sides().1, bends.len());
         for (segment, bend) in bends.iter_mut().enumerate() {
             let row = (segment * (rows - 1) + (rows - 1) / 2) / count.max(1);
-            let at = |row: usize| sheet.at[row.min(rows - 1) * columns + columns / 2];
-            let (low, high) = (at(row), at(row + 1));
-            let [x, y, z] = [0, 1, 2].map(|axis: usize| high[axis] - low[axis]);
-            let level = (x * x + z * z).sqrt();
-            let share = math::atan2(level, y) / math::upper(level, 1e-9);
-            *bend = [x * share, z * share];
+            *bend = sheet.tilt(co, [row, row + 1]);
         }
-    }
-
-    /// The sheet of the billboard of a cell, at the moment of the picture; `target` where it has none of its own.
-    fn stored_sheet(&self, springs: &SpringsModel, draw: &PatchDraw, index: u32, root: &SheetRoot, target: &Sheet) -> Sheet {
-        let (co, area) = (&springs.coefficients, self.uniform.placement.cells * self.uniform.placement.cells);
-        let places = self.cells.now.get(draw.slots[4] as usize);
-        let place = places.and_then(|places| places.get((index % area) as usize)).map_or(NONE, |place| place.to_bits());
-        let words = springs::pool::words(co);
-        let stored =
-            if place == NONE { None } else { self.cells.sheets.get(place as usize * words..).and_then(|sheet| sheet.get(..words)) };
-        stored.map_or(*target, |stored| springs::pool::load(co, root, stored).shown(co, root, target))
     }
 
     /// The state of a blade of a lag slot, if it has one.

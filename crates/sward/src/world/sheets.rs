@@ -10,6 +10,7 @@ use super::World;
 use crate::interaction::distance_map::DistanceMapHead;
 use crate::interaction::solid::WorldSolid;
 use crate::math;
+use crate::model::in_field;
 use crate::plan::{ActiveSheet, Plan, StandPlan};
 use crate::response::continuum::NODE_CELLS;
 use crate::response::springs::{self, SpringsModel, moments, root_of, target_of};
@@ -72,6 +73,7 @@ impl World {
         let stand = &self.model.stands[index];
         let reach = f64::from(stand.species.height[1]) + 0.5 * f64::from(model.width);
         let wind = self.wind(stand);
+        let mut grown: BTreeMap<PatchKey, Option<Box<[u8]>>> = BTreeMap::new();
         let all = boxes(solids);
         for boxes in &all {
             let cell = |axis: usize, way: f64| ((boxes.all[usize::from(way > 0.0)][2 * axis] + way) / stand.spacing).floor() as i64;
@@ -80,9 +82,11 @@ impl World {
                     let side = i64::from(stand.cells);
                     let patch = [x.div_euclid(side) as i32, z.div_euclid(side) as i32];
                     let billboard = (patch, (z.rem_euclid(side) * side + x.rem_euclid(side)) as u32);
-                    if !near.contains_key(&billboard)
-                        && let Some(distance) = self.comes_near(index, &model, &wind, billboard, boxes)
-                    {
+                    if near.contains_key(&billboard) || !in_field(self.model.field, patch) {
+                        continue;
+                    }
+                    let grown = grown.entry(patch).or_insert_with(|| self.grown(index, patch)).as_deref();
+                    if let Some(distance) = self.comes_near(index, (&model, &wind, grown), billboard, boxes) {
                         near.insert(billboard, distance);
                     }
                 }
@@ -92,13 +96,15 @@ impl World {
     }
 
     /// The distance of a billboard from the nearest focus, m, if a body may touch it.
-    fn comes_near(&self, index: usize, model: &SpringsModel, wind: &WindField, (patch, cell): Billboard, boxes: &Boxes) -> Option<f32> {
+    fn comes_near(
+        &self,
+        index: usize,
+        (model, wind, grown): (&SpringsModel, &WindField, Option<&[u8]>),
+        (patch, cell): Billboard,
+        boxes: &Boxes,
+    ) -> Option<f32> {
         let (stand, state) = (&self.model.stands[index], &self.state.stands[index]);
-        if self.model.field.is_some_and(|[low, high]| (0..2).any(|axis| patch[axis] < low[axis] || patch[axis] >= high[axis])) {
-            return None;
-        }
-        let grown = self.grown(index, patch);
-        let root = root_of(&self.model.terrain, stand, model, grown.as_deref(), patch, cell)?;
+        let root = root_of(&self.model.terrain, stand, model, grown, patch, cell)?;
         let corner = patch.map(|along| f64::from(along) * self.model.patch_side);
         let place = |at: [f32; 3]| [f64::from(at[0]) + corner[0], f64::from(at[1]), f64::from(at[2]) + corner[1]];
         let foot = place(root.at);
@@ -128,7 +134,7 @@ impl World {
     }
 
     /// The growth map of a patch, known or worked out.
-    fn grown(&self, index: usize, patch: PatchKey) -> Option<Box<[u8]>> {
+    pub(super) fn grown(&self, index: usize, patch: PatchKey) -> Option<Box<[u8]>> {
         let (stand, known) = (&self.model.stands[index], &self.state.stands[index].cells.grown);
         if stand.growth.is_free() { None } else { known.get(&patch).cloned().or_else(|| stand.growth_map(&self.model.terrain, patch)) }
     }

@@ -7,6 +7,7 @@ mod common;
 #[allow(dead_code)] // Only its walker is used.
 mod glb;
 
+mod asked;
 mod costs;
 mod figures;
 mod passes;

@@ -2,6 +2,7 @@
 
 use super::room::Room;
 use crate::growth::Growth;
+use crate::model::in_field;
 use crate::placement::{grown, plant};
 use crate::response::StandModel;
 use crate::scene::{Billboard, Blade};
@@ -92,7 +93,7 @@ fn plants(room: &Room, stand: &StandModel, terrain: &Terrain, field: Option<[[i3
     let [low, high] = patches(room, side);
     for z in low[1]..=high[1] {
         for x in low[0]..=high[0] {
-            if field.is_some_and(|[low, high]| x < low[0] || z < low[1] || x >= high[0] || z >= high[1]) {
+            if !in_field(field, [x, z]) {
                 continue;
             }
             let corner = [f64::from(x) * side - room.corner[0], f64::from(z) * side - room.corner[1]];

@@ -7,6 +7,7 @@
 use super::sheet::{MOST_VERTICES, Sheet, SheetRoot, SpringsCoefficients};
 use super::step::HeldSheet;
 pub use crate::state::{Billboard, SheetPool};
+use crate::state::{Cells, NONE};
 
 /// Words of a stored sheet: three for each vertex above the roots, one for four ways out, one for the steps since the last contact.
 pub fn words(co: &SpringsCoefficients) -> usize {
@@ -33,6 +34,13 @@ pub fn store(co: &SpringsCoefficients, held: &HeldSheet, to: &mut [u32]) {
     let byte = |quad: &[u8], k: usize| u32::from(quad.get(k).copied().unwrap_or(0)) << (8 * k);
     let faces = held.faces[vertices].chunks(4).map(|quad| (0..4).fold(0, |word, k| word | byte(quad, k)));
     to.iter_mut().zip(points.chain(faces).chain([held.steps])).for_each(|(to, from)| *to = from);
+}
+
+/// The words of the sheet of a billboard, if it has one: cell `index` of the patch whose cells are in `slot`.
+pub fn stored<'a>(co: &SpringsCoefficients, cells: &'a Cells, slot: u32, index: u32) -> Option<&'a [u32]> {
+    let place = cells.now.get(slot as usize)?.get(index as usize)?.to_bits();
+    let words = words(co);
+    if place == NONE { None } else { cells.sheets.get(place as usize * words..)?.get(..words) }
 }
 
 /// Reads a sheet from its words; missing ones are 0.
