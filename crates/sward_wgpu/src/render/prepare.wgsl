@@ -62,9 +62,13 @@ fn prepare_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     var spine: array<vec3<f32>, 9>;
     spine[0] = start;
     var bends: array<vec2<f32>, 8>;
-    plant_bends(which, Who(placed.root, placed.height, cell.y * prepare.placement.cells + cell.x, vec2<f32>(1.0, 0.0), 0.0, 0.0, 0.0), &bends);
+    let leans = placement_combed(0.0, 0.0, placed.lean);
+    let turn = math_sin_cos(leans.x);
+    let heading = vec2<f32>(turn.y, turn.x);
+    let index = cell.y * prepare.placement.cells + cell.x;
+    plant_bends(which, Who(placed.root, placed.height, index, heading, leans.x, leans.y, 0.0, placed.lean), &bends);
     for (var segment = 0u; segment < prepare.segments; segment++) {
-        local += billboard_segment(bends[segment], length_);
+        local += billboard_segment(billboard_leaning(bends[segment], placed.lean), length_);
         let floor_ = terrain_height(prepare.grid, draw.anchor, local.xz) + BILLBOARD_CLEARANCE;
         local.y = max(local.y, floor_);
         spine[segment + 1u] = local;
