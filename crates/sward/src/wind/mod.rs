@@ -4,6 +4,7 @@
 //! nodes; phases are fixed-point numbers that wrap, so neighbouring patches agree bit for bit on the nodes they share, however
 //! far from home and however late. Writes: velocity \[m/s\] at nodes. Twins: `mod.wgsl`, `noise.wgsl`, `footprint.wgsl`.
 
+pub mod fluid;
 pub mod footprint;
 mod image;
 pub mod noise;
