@@ -5,6 +5,7 @@
 pub mod chain;
 pub mod continuum;
 pub(crate) mod each;
+pub mod harmonic;
 pub mod oscillation;
 pub mod oscillator;
 pub mod springs;

@@ -1,0 +1,87 @@
+//! The waves on the plane: V'' = c²∇²V − κ(V − a·V_wind), damped, stepped by Verlet.
+//!
+//! Chen & Johan 2015, §3.3; methods §5. State: V \[m/s\], x and y of n × n cells of a periodic plane, now and one step before. Twin: `harmonic.wgsl`.
+//! Differs from the paper: κ pulls V to what the wind makes of it. Without it V drifts without bound.
+
+use crate::math::{lower, upper};
+
+/// Numbers of the kernel; the same layout in WGSL.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct HarmonicCoefficients {
+    /// c²Δt²/Δx².
+    pub spread: f32,
+    /// κΔt².
+    pub restoring: f32,
+    /// λ: share of its change that V loses in a step.
+    pub damping: f32,
+    /// a: velocity of the vegetation over that of the wind, in a steady wind.
+    pub gain: f32,
+}
+
+impl HarmonicCoefficients {
+    /// Of waves of `speed` \[m/s\] and vegetation that swings at `frequency` \[Hz\] and loses `damping` of its change in 1/60 s, on cells of `cell` \[m\] in
+    /// steps of `dt` \[s\]. Frequency and speed are kept where the scheme is stable: 8c²Δt²/Δx² + κΔt² < 4 − 2λ.
+    pub fn new(speed: f32, frequency: f32, damping: f32, gain: f32, cell: f32, dt: f32) -> Self {
+        // Of as many steps as fit a sixtieth of a second, each loses its part.
+        let kept = crate::math::exp_f64(60.0 * f64::from(dt) * crate::math::ln_f64(f64::from(upper(1.0 - damping, 1e-6))));
+        let damping = (1.0 - kept) as f32;
+        let turn = std::f32::consts::TAU * frequency * dt;
+        let restoring = lower(turn * turn, 1.0);
+        let pace = speed * dt / cell;
+        let spread = lower(pace * pace, 0.98 * (4.0 - 2.0 * damping - restoring) / 8.0);
+        Self { spread, restoring, damping, gain }
+    }
+}
+
+/// The state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Waves {
+    side: usize,
+    /// V now, row by row.
+    pub now: Vec<[f32; 2]>,
+    /// V one step before; of the next step while one is under way.
+    pub old: Vec<[f32; 2]>,
+}
+
+impl Waves {
+    /// Vegetation that rests, on `side` × `side` cells.
+    pub fn new(side: usize) -> Self {
+        let still = vec![[0.0; 2]; side * side];
+        Self { side, now: still.clone(), old: still }
+    }
+
+    /// One step in a wind \[m/s\] on the same cells.
+    pub fn step(&mut self, co: &HarmonicCoefficients, wind: &[[f32; 2]]) {
+        let n = self.side;
+        for j in 0..n {
+            let (row, below, above) = (j * n, (j + n - 1) % n * n, (j + 1) % n * n);
+            for i in 0..n {
+                let (left, right) = ((i + n - 1) % n, (i + 1) % n);
+                for part in 0..2 {
+                    let here = self.now[row + i][part];
+                    let before = self.old[row + i][part];
+                    let around =
+                        self.now[row + left][part] + self.now[row + right][part] + self.now[below + i][part] + self.now[above + i][part];
+                    let pulled = co.spread * (around - 4.0 * here) - co.restoring * (here - co.gain * wind[row + i][part]);
+                    self.old[row + i][part] = here + (1.0 - co.damping) * (here - before) + pulled;
+                }
+            }
+        }
+        std::mem::swap(&mut self.now, &mut self.old);
+    }
+
+    /// V between cells, at a place in cells from the corner; the plane repeats.
+    pub fn at(&self, place: [f32; 2]) -> [f32; 2] {
+        let from = place.map(|along| along - 0.5);
+        let corner = from.map(crate::math::floored);
+        let f = [from[0] - corner[0] as f32, from[1] - corner[1] as f32];
+        let n = self.side as i32;
+        let cell = |di: i32, dj: i32| self.now[((corner[1] + dj).rem_euclid(n) * n + (corner[0] + di).rem_euclid(n)) as usize];
+        let (a, b, c, d) = (cell(0, 0), cell(1, 0), cell(0, 1), cell(1, 1));
+        [0, 1].map(|part: usize| {
+            let (low, high) = (a[part] + (b[part] - a[part]) * f[0], c[part] + (d[part] - c[part]) * f[0]);
+            low + (high - low) * f[1]
+        })
+    }
+}
