@@ -80,6 +80,18 @@ fn an_author_overrides_part_of_a_species() {
 }
 
 #[test]
+fn a_stand_of_sheets_keeps_what_the_species_gives() {
+    let text = "(version: 1, stands: [(species: Reed, representation: Sheet(rows: 5, points: 7)), (species: Reed, name: \"cards\")])";
+    let scene = Scene::parse(text, "sheets.ron").expect("valid");
+    let [sheets, cards] = [0, 1].map(|stand: usize| scene.stands[stand].resolve().expect("valid"));
+    let sheet = sheets.sheet.clone().expect("a sheet");
+    assert_eq!([sheet.columns, sheet.rows, sheet.points], [3, 5, 7]);
+    assert_eq!((sheet.colour_tip, sheet.dryness), (cards.billboard.colour_tip, cards.billboard.dryness));
+    assert_eq!((sheets.cards(), sheets.pieces(), sheets.segments()), (0, 6, cards.segments()));
+    assert_eq!((cards.cards(), cards.pieces(), cards.sheet), (2, 7, None));
+}
+
+#[test]
 fn a_star_is_not_convex_but_a_square_is_either_way_round() {
     let scene = |points: &str| format!("(version: 1, interactors: [(shape: Polygon(points: [{points}]))])");
     assert!(Scene::parse(&scene("(0, 0), (0, 1), (1, 1), (1, 0)"), "").is_ok());

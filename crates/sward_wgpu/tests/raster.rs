@@ -17,6 +17,7 @@ fn main() -> std::process::ExitCode {
         ("endless", rastered::endless),
         ("blades", rastered::blades),
         ("footsteps", rastered::footsteps),
+        ("sheets", rastered::sheets),
     ];
     adapter::run(tests, |_, _| None)
 }

@@ -64,6 +64,8 @@ fn main() -> std::process::ExitCode {
         ("swing_runs", swings::run),
         ("swing_costs", swings::released_plants_cost_nothing),
         ("swings_solved", prepared::swings_solved),
+        ("sheets_solved", prepared::sheets_solved),
+        ("sheets_stay_above_ground", prepared::sheets_stay_above_ground),
         ("chain_steps", chains::steps),
         ("chain_poses", chains::poses),
         ("strips", blades::strips),

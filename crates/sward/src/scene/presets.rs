@@ -6,6 +6,7 @@ use super::chain::{BladeByBlade, Chain, DragPower};
 use super::continuum::{Continuum, Lag};
 use super::error::{Problem, SceneError, Trail};
 use super::oscillator::{Oscillator, Swinging};
+use super::sheet::Sheet;
 use super::stand::{Representation, Response, Species, Stand};
 
 /// A stand with every default filled in: what the simulation and the picture work with.
@@ -25,6 +26,8 @@ pub struct SpeciesModel {
     pub billboard: Billboard,
     /// How they look as blades, where that is what they are drawn as.
     pub blade: Option<Blade>,
+    /// How they look as sheets, where that is what they are drawn as.
+    pub sheet: Option<Sheet>,
 }
 
 impl SpeciesModel {
@@ -32,6 +35,30 @@ impl SpeciesModel {
     #[must_use]
     pub fn segments(&self) -> u32 {
         self.blade.as_ref().map_or(self.billboard.segments, |blade| blade.segments)
+    }
+
+    /// Crossed cards of a plant; 0 where it is a sheet.
+    #[must_use]
+    pub fn cards(&self) -> u32 {
+        if self.sheet.is_some() { 0 } else { self.billboard.cards }
+    }
+
+    /// Segments of a card, or pieces along each side of a sheet, near the camera; one is drawn beyond [`Self::plain_distance`].
+    #[must_use]
+    pub fn pieces(&self) -> u32 {
+        self.sheet.as_ref().map_or(self.billboard.segments, |sheet| sheet.points.saturating_sub(1).max(1))
+    }
+
+    /// Distance from the camera beyond which a plant is drawn with one segment or piece, m.
+    #[must_use]
+    pub fn plain_distance(&self) -> f32 {
+        self.sheet.as_ref().map_or(self.billboard.plain_distance, |sheet| sheet.plain_distance)
+    }
+
+    /// Width of a card or sheet, m.
+    #[must_use]
+    pub fn width(&self) -> f32 {
+        self.sheet.as_ref().map_or(self.billboard.width, |sheet| sheet.width)
     }
 }
 
@@ -72,6 +99,10 @@ impl Stand {
             },
             blade: match &self.representation {
                 Some(Representation::Blade(overrides)) => Some(self.species.blade().with(overrides)),
+                _ => None,
+            },
+            sheet: match &self.representation {
+                Some(Representation::Sheet(overrides)) => Some(self.species.sheet().with(overrides)),
                 _ => None,
             },
         })
@@ -145,6 +176,13 @@ impl Species {
         let distance = if matches!(self, Self::Lawn) { 40.0 } else { 110.0 };
         let segments = segments.max(2);
         Blade { segments, distance, blades, tuft, width, lean, curl, colour_root, colour_tip, dryness, ..Blade::default() }
+    }
+
+    /// How the species looks as sheets: the billboards' colours, and wider, since one sheet stands for two crossed cards.
+    #[must_use]
+    pub fn sheet(&self) -> Sheet {
+        let Billboard { width, plain_distance, colour_root, colour_tip, dryness, .. } = self.billboard();
+        Sheet { width: 1.4 * width, plain_distance, colour_root, colour_tip, dryness, ..Sheet::default() }
     }
 
     /// How the species looks.

@@ -6,6 +6,7 @@ use super::chain::ChainOverrides;
 use super::continuum::ContinuumOverrides;
 use super::oscillator::OscillatorOverrides;
 use super::parameters::{choices, parameters};
+use super::sheet::SheetOverrides;
 
 choices! {
     /// A kind of plant. It gives the defaults of height, response and representation.
@@ -42,6 +43,8 @@ choices! {
         Billboard(BillboardOverrides),
         /// Blades: strips of triangles, every one by itself.
         Blade(BladeOverrides),
+        /// One card with a picture of a clump, bent as a smooth surface.
+        Sheet(SheetOverrides),
     }
 }
 

@@ -28,6 +28,12 @@ pub(crate) fn blade_pass() -> String {
     CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Blade(blades: 12, width: 0.02),")
 }
 
+/// The same pass through sheets.
+#[allow(dead_code)]
+pub(crate) fn sheet_pass() -> String {
+    CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Sheet(),")
+}
+
 /// Size of the pictures, pixels.
 pub(crate) const SIZE: [u32; 2] = [320, 180];
 /// The two frames, of 24 a second: whole steps, and how far before that the frame lies.

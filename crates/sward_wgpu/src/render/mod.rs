@@ -17,7 +17,7 @@ pub mod sky;
 pub mod targets;
 
 pub(crate) use pipeline::{PipelineParts, Slot, aov_pipeline, layout, main_pipeline, shadow_pipeline};
-use sward::geometry::{card, relief};
+use sward::geometry::{card, relief, sheet};
 use sward::shading;
 
 /// Bindings and structs every drawing pass begins with.
@@ -46,6 +46,7 @@ pub fn assembled() -> Vec<(&'static str, String)> {
         ("bodies", assemble(&bodies::PARTS)),
         ("ground", assemble(&ground::PARTS)),
         ("plants", assemble(&plant_pass::PARTS)),
+        ("sheets", assemble(&plant_pass::SHEET_PARTS)),
         ("blades", assemble(&[&[blades::constants().as_str()], &blades::PARTS[..]].concat())),
         ("sky", assemble(&sky::PARTS)),
         ("resolve", assemble(&targets::PARTS)),

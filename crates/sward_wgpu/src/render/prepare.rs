@@ -4,7 +4,7 @@ use sward::picture::past::Past;
 pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
 use sward::picture::plan::{Seen, THINNING};
 pub use sward::picture::prepare::PrepareUniform;
-use sward::response::{StandModel, chain, oscillation, oscillator};
+use sward::response::{StandModel, chain, oscillation, oscillator, springs};
 use sward::scene::Precision;
 use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
@@ -73,8 +73,35 @@ impl Bending {
     }
 }
 
+/// What plants become.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solved {
+    /// Joints of cards.
+    Spines,
+    /// Points of sheets.
+    Sheets,
+}
+
+impl Solved {
+    /// Of a batch.
+    fn of(uniform: &PrepareUniform) -> Self {
+        if uniform.is_sheet() { Self::Sheets } else { Self::Spines }
+    }
+
+    /// What it needs beside [`Bending::parts`].
+    fn parts(self) -> Vec<&'static str> {
+        match self {
+            Self::Spines => vec![include_str!("spines.wgsl")],
+            Self::Sheets => {
+                let [vector, sheet, lengths, .., wind, _, surface] = springs::WGSL;
+                vec![vector, sheet, lengths, wind, surface, include_str!("sheet_at.wgsl"), include_str!("sheets.wgsl")]
+            }
+        }
+    }
+}
+
 /// The full text of the compute shader.
-pub fn assembled(bending: Bending) -> String {
+pub fn assembled(bending: Bending, solved: Solved) -> String {
     let variants = format!("const CLUMP_VARIANTS: u32 = {VARIANTS}u;\nconst PREPARE_THINNING: f32 = {THINNING:?};");
     let before = [
         sward::math::WGSL,
@@ -86,7 +113,7 @@ pub fn assembled(bending: Bending) -> String {
         CELLS_WGSL,
         &variants,
     ];
-    [&before[..], &bending.parts(), &[include_str!("prepare.wgsl")]].concat().join("\n")
+    [&before[..], &bending.parts(), &solved.parts(), &[include_str!("prepare.wgsl")]].concat().join("\n")
 }
 
 /// What all passes that solve plants read.
@@ -105,6 +132,15 @@ impl Shared {
 
 /// The pipelines and what they always read.
 pub struct PreparePass {
+    spines: Pipelines,
+    /// Where there are sheets.
+    sheets: Option<Pipelines>,
+    /// What other passes read too.
+    pub shared: Shared,
+}
+
+/// The pipelines for all that plants become of one kind.
+struct Pipelines {
     /// For cells at full precision.
     full: wgpu::ComputePipeline,
     /// For cells at half precision, where the scene asks for them.
@@ -113,8 +149,46 @@ pub struct PreparePass {
     by_blade: Option<wgpu::ComputePipeline>,
     /// For stands of plants that swing by themselves, where there are any.
     swinging: Option<wgpu::ComputePipeline>,
-    /// What other passes read too.
-    pub shared: Shared,
+}
+
+impl Pipelines {
+    fn new(gpu: &Gpu, world: &World, solved: Solved) -> Self {
+        let module = |bending: Bending| {
+            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some("prepare"),
+                source: wgpu::ShaderSource::Wgsl(assembled(bending, solved).into()),
+            })
+        };
+        let continuum = module(Bending::Continuum);
+        let of = |bending: Bending| bending.is_in(world).then(|| module(bending));
+        let (by_blade, swinging) = (of(Bending::Chain), of(Bending::Swing));
+        let pipeline = |module: &wgpu::ShaderModule, half: f64| {
+            gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some("prepare"),
+                layout: None,
+                module,
+                entry_point: Some("prepare_pass"),
+                compilation_options: wgpu::PipelineCompilationOptions { constants: &[("half_precision", half)], ..Default::default() },
+                cache: None,
+            })
+        };
+        Self {
+            full: pipeline(&continuum, 0.0),
+            half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(&continuum, 1.0)),
+            by_blade: by_blade.map(|module| pipeline(&module, 0.0)),
+            swinging: swinging.map(|module| pipeline(&module, 0.0)),
+        }
+    }
+
+    /// The one that reads these cells.
+    fn of(&self, cells: &CellBuffers) -> &wgpu::ComputePipeline {
+        let pipeline = match Bending::of_cells(cells) {
+            Bending::Chain => self.by_blade.as_ref(),
+            Bending::Swing => self.swinging.as_ref(),
+            Bending::Continuum => self.half.as_ref().filter(|_| cells.precision == Precision::Half),
+        };
+        pipeline.unwrap_or(&self.full)
+    }
 }
 
 /// The transient buffers of one batch, kept from picture to picture.
@@ -124,8 +198,8 @@ pub struct BatchBuffers {
     pub filled: Option<(wgpu::Buffer, wgpu::Buffer)>,
     /// Plants in the last picture, those of height 0 included.
     pub plants: u32,
-    /// Segments of each.
-    pub segments: u32,
+    /// Joints of each.
+    pub joints: u32,
     room: u32,
 }
 
@@ -150,36 +224,15 @@ impl BatchBuffers {
 }
 
 impl PreparePass {
-    /// Builds the pipeline for a world's terrain.
+    /// Builds the pipelines for a world.
     pub fn new(gpu: &Gpu, world: &World) -> Self {
-        let module = |bending: Bending| {
-            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some("prepare"),
-                source: wgpu::ShaderSource::Wgsl(assembled(bending).into()),
-            })
-        };
-        let continuum = module(Bending::Continuum);
-        let of = |bending: Bending| bending.is_in(world).then(|| module(bending));
-        let (by_blade, swinging) = (of(Bending::Chain), of(Bending::Swing));
-        let pipeline = |module: &wgpu::ShaderModule, half: f64| {
-            gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some("prepare"),
-                layout: None,
-                module,
-                entry_point: Some("prepare_pass"),
-                compilation_options: wgpu::PipelineCompilationOptions { constants: &[("half_precision", half)], ..Default::default() },
-                cache: None,
-            })
-        };
-        let storage = |label: &str, contents: &[u8]| gpu.filled(label, contents, wgpu::BufferUsages::STORAGE);
+        let has_sheets = world.model.stands.iter().any(|stand| stand.species.sheet.is_some());
         Self {
-            full: pipeline(&continuum, 0.0),
-            half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(&continuum, 1.0)),
-            by_blade: by_blade.map(|module| pipeline(&module, 0.0)),
-            swinging: swinging.map(|module| pipeline(&module, 0.0)),
+            spines: Pipelines::new(gpu, world, Solved::Spines),
+            sheets: has_sheets.then(|| Pipelines::new(gpu, world, Solved::Sheets)),
             shared: Shared {
                 heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
-                tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
+                tile: gpu.filled("wind tile", bytemuck::cast_slice(&world.model.wind_texels()), wgpu::BufferUsages::STORAGE),
             },
         }
     }
@@ -240,14 +293,15 @@ impl PreparePass {
         buffers: &mut BatchBuffers,
         stopwatch: Option<&mut Stopwatch>,
     ) {
-        (buffers.plants, buffers.segments) = (batch.plants, uniform.drawn);
+        (buffers.plants, buffers.joints) = (batch.plants, uniform.joints());
         if batch.draws.is_empty() {
             return;
         }
-        buffers.reserve(gpu, batch.plants, uniform.drawn + 1);
+        buffers.reserve(gpu, batch.plants, uniform.joints());
         let Some((plants, joints)) = &buffers.filled else { return };
         let made = |label: &str, contents: &[u8], usage| gpu.filled(label, contents, usage);
         let wind = wind.block(uniform.placement.cells / sward::response::continuum::NODE_CELLS);
+        let pipelines = self.sheets.as_ref().filter(|_| Solved::of(uniform) == Solved::Sheets).unwrap_or(&self.spines);
         let uniform = made("prepare", bytemuck::bytes_of(uniform), wgpu::BufferUsages::UNIFORM);
         let wind = made("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
         let draws = made("patches to draw", bytemuck::cast_slice(&batch.draws), wgpu::BufferUsages::STORAGE);
@@ -259,18 +313,12 @@ impl PreparePass {
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: binding as u32, resource: buffer.as_entire_binding() })
             .collect();
         entries.push(wgpu::BindGroupEntry { binding: 10, resource: wgpu::BindingResource::TextureView(growth) });
-        let half = || self.half.as_ref().filter(|_| cells.precision == Precision::Half).unwrap_or(&self.full);
-        let pipeline = match Bending::of_cells(cells) {
-            Bending::Chain => self.by_blade.as_ref(),
-            Bending::Swing => self.swinging.as_ref(),
-            Bending::Continuum => None,
-        };
         if let Some(numbers) = &cells.numbers {
             entries.push(wgpu::BindGroupEntry { binding: 12, resource: numbers.buffer().as_entire_binding() });
         }
         // It has no upper segments.
         entries.retain(|entry| entry.binding != 4 || Bending::of_cells(cells) != Bending::Swing);
-        let pipeline = pipeline.unwrap_or_else(half);
+        let pipeline = pipelines.of(cells);
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("prepare"),
             layout: &pipeline.get_bind_group_layout(0),

@@ -117,3 +117,18 @@ pub(crate) fn blades(gpu: &Gpu) -> Verdict {
         scene.budget.visible_blades = 60_000;
     })
 }
+
+/// Sheets of each kind of response: a continuum, plants that swing by themselves, and blade by blade.
+pub(crate) fn sheets(gpu: &Gpu) -> Verdict {
+    use sward::scene::{Representation, Response};
+    let sheets = |scene: &mut Scene, response: Option<Response>| {
+        scene.stands[0].representation = Some(Representation::Sheet(Default::default()));
+        scene.stands[0].response = response;
+    };
+    same_changed(gpu, "hello", 6.2, |scene| sheets(scene, None))?;
+    same_changed(gpu, "footsteps", 3.0, |scene| {
+        sheets(scene, Some(Response::Oscillator(Default::default())));
+        scene.stands[0].cells = 128;
+    })?;
+    same_changed(gpu, "hello", 3.0, |scene| sheets(scene, Some(Response::VirtualInertia(Default::default()))))
+}

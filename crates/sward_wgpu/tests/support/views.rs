@@ -126,7 +126,7 @@ fn buried(gpu: &Gpu, model: &Model, studio: &Studio, corner: [f64; 2], depth: f6
     for batch in studio.batches(0).into_iter().flatten().filter(|batch| batch.plants > 0) {
         let Some((plants, joints)) = &batch.filled else { continue };
         let plants: Vec<Plant> = readback::read(gpu, plants, u64::from(batch.plants) * 32)?;
-        let count = batch.segments as usize + 1;
+        let count = batch.joints as usize;
         let joints: Vec<[f32; 4]> = readback::read(gpu, joints, u64::from(batch.plants) * 16 * count as u64)?;
         for (_, spine) in plants.iter().zip(joints.chunks_exact(count)).filter(|(plant, _)| plant.height > 0.0) {
             for joint in spine {
@@ -196,7 +196,7 @@ fn joints_of(gpu: &Gpu, studio: &Studio) -> Result<Vec<[f32; 4]>, libtest_mimic:
     let mut all = Vec::new();
     for batch in studio.batches(0).into_iter().flatten().filter(|batch| batch.plants > 0) {
         let Some((_, joints)) = &batch.filled else { continue };
-        all.extend(readback::read::<[f32; 4]>(gpu, joints, u64::from(batch.plants) * 16 * u64::from(batch.segments + 1))?);
+        all.extend(readback::read::<[f32; 4]>(gpu, joints, u64::from(batch.plants) * 16 * u64::from(batch.joints))?);
     }
     Ok(all)
 }

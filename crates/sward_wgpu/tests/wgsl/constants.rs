@@ -68,6 +68,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("STANDING_NONE", Value(f64::from(state::NONE))),
         ("DISTANCE_MAP_EMPTY", Value(f64::from(distance_map::EMPTY))),
         ("DISTANCE_MAP_STEEP", Source("interaction/distance_map.rs", "STEEP")),
+        ("SHEET_LIFT", Source("geometry/sheet.rs", "LIFT")),
         ("SPRINGS_MOST_SIDE", Value(springs::MOST_SIDE as f64)),
         ("SPRINGS_MOST_VERTICES", Value(springs::MOST_VERTICES as f64)),
         ("SPRINGS_CLEAR", Value(f64::from(springs::CLEAR))),

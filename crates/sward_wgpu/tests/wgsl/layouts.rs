@@ -124,7 +124,8 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         substeps,
         lag,
         step,
-        identity
+        identity,
+        sheet
     });
     let draw = layout!(PatchDraw { offset, patch as "patch_index", anchor, weights, slots, lags, first, count, growth });
     let frame = layout!(FrameUniform {
