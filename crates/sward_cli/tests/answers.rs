@@ -40,18 +40,7 @@ fn show_works_for_every_shipped_scene() {
         let text = place.sward(&["show", &name]).done();
         let kinds = [("virtual blades", "have a state"), ("swings at", "after a body")];
         let own = kinds.iter().find(|(kind, _)| text.contains(kind)).map_or("substep", |(_, word)| word);
-        for word in [
-            "Hz",
-            "damping ratio",
-            own,
-            "plants",
-            "bytes a patch",
-            "MB at most",
-            "wind",
-            "body",
-            "budget",
-            "segment",
-        ] {
+        for word in ["Hz", "damping ratio", own, "plants", "bytes a patch", "MB at most", "wind", "body", "budget", "segment"] {
             assert!(text.contains(word), "{name}: no `{word}` in\n{text}");
         }
     }

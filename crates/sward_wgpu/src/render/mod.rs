@@ -12,6 +12,7 @@ mod pipeline;
 pub mod plant_pass;
 pub mod plants;
 pub mod prepare;
+mod prepare_pipelines;
 pub mod shadow;
 pub mod sky;
 pub mod targets;

@@ -179,7 +179,9 @@ pub(crate) fn sheets_solved(gpu: &Gpu) -> Verdict {
         }
         // Control: a step later.
         world.step();
-        ensure(judge("a step later", &own_points, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || "a step later looks the same".to_owned())?;
+        ensure(judge("a step later", &own_points, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || {
+            "a step later looks the same".to_owned()
+        })?;
     }
     Ok(())
 }
