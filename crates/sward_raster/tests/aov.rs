@@ -39,7 +39,7 @@ fn a_car_pass_is_followed() {
 
 #[test]
 fn sheets_are_followed() {
-    verdicts::car_pass(&pair(&sheet_pass())).expect("the pass is followed");
+    verdicts::sheet_pass(&pair(&sheet_pass())).expect("the pass is followed");
 }
 
 #[test]

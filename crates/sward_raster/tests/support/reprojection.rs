@@ -29,7 +29,6 @@ pub(crate) fn blade_pass() -> String {
 }
 
 /// The same pass through sheets.
-#[allow(dead_code)]
 pub(crate) fn sheet_pass() -> String {
     CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Sheet(),")
 }
@@ -169,9 +168,14 @@ impl Pair {
 
     /// The motion of the pixels of a kind, and what it should be; `None` where there is nothing to compare with.
     pub(crate) fn exact(&self, kind: Kind) -> Vec<Option<[DVec2; 2]>> {
+        self.exact_of(|at| self.kinds[at] == kind)
+    }
+
+    /// The same of some pixels.
+    pub(crate) fn exact_of(&self, of: impl Fn(usize) -> bool) -> Vec<Option<[DVec2; 2]>> {
         let (later, identity) = (&self.frames[1], Identity::of(&self.world));
         let both = |at: usize| Some([given(later, at), exact::motion(&self.world, &identity, self.moments.each_ref(), later, at)?]);
-        (0..later.plant.len()).filter(|at| self.kinds[*at] == kind).map(both).collect()
+        (0..later.plant.len()).filter(|at| of(*at)).map(both).collect()
     }
 }
 

@@ -50,7 +50,7 @@ pub(crate) fn blades_are_followed(gpu: &Gpu) -> Verdict {
 pub(crate) fn sheets_are_followed(gpu: &Gpu) -> Verdict {
     let worlds = worlds_of(&sheet_pass());
     let frames = on_gpu(gpu, &worlds)?;
-    Ok(verdicts::car_pass(&Pair::new(worlds, frames))?)
+    Ok(verdicts::sheet_pass(&Pair::new(worlds, frames))?)
 }
 
 pub(crate) fn outputs_of_blades_agree(gpu: &Gpu) -> Verdict {
