@@ -64,6 +64,7 @@ impl Field {
             edges: Vec::new(),
             pairs: Vec::new(),
             solids: Solids::default(),
+            sheets: Default::default(),
         };
         let mut field = Self { world, cells: Cells::default(), plan };
         field.step(Lanes::default());

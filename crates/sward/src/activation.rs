@@ -6,6 +6,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::model::in_field;
 use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
 
 /// Steps between a summary's step and the activation that reads it.
@@ -67,7 +68,7 @@ impl Circumstances<'_> {
     }
 
     fn inside(&self, patch: PatchKey) -> bool {
-        self.field.is_none_or(|[low, high]| (0..2).all(|axis| patch[axis] >= low[axis] && patch[axis] < high[axis]))
+        in_field(self.field, patch)
     }
 
     fn fade_steps(&self) -> u32 {

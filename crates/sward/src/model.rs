@@ -1,12 +1,14 @@
 //! The compiled scene: everything a step reads and never changes, but for the ground where it is edited.
 
 mod limits;
+mod maps;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
 use limits::Named;
+pub use maps::BodyMaps;
 
 use crate::figure::{Figure, FigureError};
 use crate::growth::{Growth, Limit};
@@ -16,10 +18,12 @@ pub use crate::response::StandModel;
 use crate::response::chain::ChainModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::response::oscillator::OscillatorModel;
+use crate::response::springs::SpringsModel;
 use crate::scene::{
     Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
-use crate::state::{BodyState, Root};
+use crate::shading::environment::Environment;
+use crate::state::{BodyState, PatchKey, Root};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::{Flow, Images, Source, Tile};
 
@@ -123,6 +127,10 @@ pub struct Model {
     pub gusty: bool,
     /// Bodies in the scene's order.
     pub bodies: Vec<BodyModel>,
+    /// What they look like from six sides.
+    pub maps: BodyMaps,
+    /// The picture of the surroundings, where there is one.
+    pub environment: Option<Arc<Environment>>,
 }
 
 /// A source of wind that has a place.
@@ -241,6 +249,7 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
             tolerance: tolerance(&species, chain.as_ref(), oscillator.as_ref(), sources),
             chain,
             oscillator,
+            springs: SpringsModel::of(&species, dt, scene.budget.sheets),
             species,
             cells: stand.cells,
             patch_side,
@@ -329,6 +338,16 @@ fn load_terrain(terrain: &SceneTerrain, assets: &dyn Assets) -> Result<Terrain, 
     Terrain::from_image(&pixels, &text, image.scale, image.offset).map_err(bad)
 }
 
+/// The picture of the surroundings.
+fn environment(scene: &Scene, assets: &dyn Assets) -> Result<Option<Arc<Environment>>, SceneError> {
+    let Some(given) = &scene.light.environment else { return Ok(None) };
+    let trail = Trail::default().key("light").key("environment").key("file");
+    let bytes = read(&given.file, &trail, assets)?;
+    let help = "export it as an equirectangular Radiance picture (.hdr), twice as wide as high, at most 4096 pixels wide";
+    let bad = |message: String| SceneError::in_file(&given.file, message).named_by(trail.clone()).advise(help);
+    Ok(Some(Arc::new(Environment::from_hdr(&bytes, given.strength, given.turn).map_err(bad)?)))
+}
+
 /// The bumps on the ground, anchored to what they lie on.
 fn detail_of(scene: &Scene) -> Detail {
     let origin = match &scene.terrain {
@@ -378,6 +397,11 @@ pub fn rebased(mut scene: Scene) -> Scene {
     scene
 }
 
+/// Whether a patch belongs to a field from its first patch to one past its last; an endless one has all.
+pub(crate) fn in_field(field: Option<[[i32; 2]; 2]>, patch: PatchKey) -> bool {
+    field.is_none_or(|[low, high]| (0..2).all(|axis| patch[axis] >= low[axis] && patch[axis] < high[axis]))
+}
+
 impl Model {
     /// Compiles a scene; files it names come from `assets`.
     pub fn compile(scene: &Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
@@ -400,6 +424,8 @@ impl Model {
         let limits = limits::of(scene, assets)?;
         let stands = stand_models(scene, &sources, &limits)?;
         let (blowers, images) = blowers(scene, assets)?;
+        let bodies = body_models(scene, assets)?;
+        let texels = stands.iter().filter_map(|stand| stand.springs.as_ref()).map(|springs| springs.texels).max().unwrap_or(0);
         Ok(Self {
             dt: 1.0 / f64::from(scene.steps_per_second),
             rate: scene.steps_per_second,
@@ -412,7 +438,9 @@ impl Model {
             sources,
             blowers,
             images: Arc::new(images),
-            bodies: body_models(scene, assets)?,
+            maps: BodyMaps::of(&bodies, texels),
+            bodies,
+            environment: environment(scene, assets)?,
         })
     }
 

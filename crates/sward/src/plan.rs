@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::interaction::distance_map::DistanceMapHead;
 use crate::interaction::solid::Solids;
 use crate::interaction::{Contact, ContactEdge, Footprint};
 use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
@@ -14,6 +15,8 @@ pub struct Plan {
     pub step: u64,
     /// One entry per stand.
     pub stands: Vec<StandPlan>,
+    /// Bodies whose maps must be drawn anew before, with the seconds since each appeared.
+    pub maps: Vec<(u32, f64)>,
 }
 
 /// What one stand does in a step.
@@ -33,6 +36,40 @@ pub struct StandPlan {
     pub pairs: Vec<ContactPair>,
     /// Bodies as solids, patch by patch; of stands that move blade by blade.
     pub solids: Solids,
+    /// Billboards with a sheet of their own.
+    pub sheets: SheetPlan,
+}
+
+/// What a step does to deformed billboards.
+#[derive(Clone, Debug, Default)]
+pub struct SheetPlan {
+    /// Those that have a sheet, in order.
+    pub active: Vec<ActiveSheet>,
+    /// Where the maps of bodies are, patch by patch, moment by moment.
+    pub heads: Vec<DistanceMapHead>,
+    /// Patches in which billboards have got or given back sheets, or that wake: their places have changed.
+    pub changed: Vec<PatchKey>,
+    /// Blocks of 8 × 8 cells that bodies may touch, and others in which billboards recover.
+    pub nodes: [u32; 2],
+}
+
+/// A billboard with a sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ActiveSheet {
+    /// Index of its patch in the plan.
+    pub patch: u32,
+    /// Number of its cell.
+    pub cell: u32,
+    /// Where its sheet is stored.
+    pub place: u32,
+    /// It has just got it.
+    pub fresh: bool,
+    /// Steps by which it recovers faster, since its patch must go.
+    pub hurry: u32,
+    /// Its bodies in [`SheetPlan::heads`].
+    pub heads: Range<u32>,
+    /// Where a column falls that stands upright under a body: its way, unit (x, z).
+    pub heading: [f32; 2],
 }
 
 /// A footprint that reaches a patch.

@@ -5,8 +5,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::response::{chain, continuum, oscillator};
-use crate::state::{Awake, BodyState, Counters, NONE, PatchKey, State, Summary};
+use crate::response::springs::pool;
+use crate::response::{StandModel, chain, continuum, oscillator};
+use crate::state::{Awake, BodyState, Counters, NONE, PatchKey, Sheets, State, Summary};
 use crate::terrain::Edits;
 use crate::world::World;
 
@@ -68,6 +69,8 @@ struct SavedStand {
     upper: Vec<f32>,
     history: Vec<f32>,
     virtual_states: Vec<f32>,
+    sheets: Sheets,
+    sheet_words: Vec<u32>,
 }
 
 /// FNV-1a.
@@ -81,6 +84,10 @@ impl World {
         let state = &self.state;
         let stands = state.stands.iter().zip(&self.model.stands).map(|(stand, model)| {
             let planes = |slots: &[Box<[f32]>], pick: fn(&Awake) -> u32| -> Vec<f32> {
+                // Places of sheets are those of the pool.
+                if model.springs.is_some() {
+                    return Vec::new();
+                }
                 let used = stand.awake.values().map(pick).filter(|slot| *slot != NONE);
                 used.filter_map(|slot| slots.get(slot as usize)).flat_map(|values| values.iter().copied()).collect()
             };
@@ -95,6 +102,8 @@ impl World {
                 upper: planes(&stand.cells.lag, |awake| awake.lag),
                 history: planes(&stand.cells.history, |awake| awake.lag),
                 virtual_states: planes(&stand.cells.virtual_states, |awake| awake.slot),
+                sheets: stand.sheets.clone(),
+                sheet_words: stand.cells.sheets.clone(),
             }
         });
         let saved = Saved {
@@ -193,6 +202,7 @@ impl World {
         let mut stand = self.empty_stand(model);
         let area = (model.cells * model.cells) as usize;
         let [level, level_before, upper, ring, state] = match (&model.chain, &model.oscillator) {
+            _ if model.springs.is_some() => [0; 5],
             (Some(chain), _) => {
                 let [moments, states, blades] = chain::sizes(chain, model.cells);
                 [moments, moments, blades, 0, states]
@@ -251,9 +261,32 @@ impl World {
         if !saved.summaries.iter().all(|(of, _)| *of < step || (*of == 0 && step == 0)) {
             return Err(SavedError::Damaged("it knows the future"));
         }
+        (stand.sheets, stand.cells.sheets) = sheets(model, saved.sheets, saved.sheet_words)?;
+        if model.springs.is_some() {
+            let patches: Vec<PatchKey> = stand.awake.keys().copied().collect();
+            stand.lay_places(patches, area);
+        }
         (stand.summaries, stand.counters) = (saved.summaries.into(), counters);
         Ok(stand)
     }
+}
+
+/// Sheets as saved, if they could be.
+fn sheets(model: &StandModel, sheets: Sheets, words: Vec<u32>) -> Result<(Sheets, Vec<u32>), SavedError> {
+    let damaged = Err(SavedError::Damaged("its sheets are none"));
+    let Some(springs) = &model.springs else {
+        let none = sheets.pool.is_empty() && words.is_empty();
+        return if none { Ok((Sheets::default(), words)) } else { damaged };
+    };
+    let (each, used) = (pool::words(&springs.coefficients), sheets.pool.used() as usize);
+    let whole = words.len().is_multiple_of(each) && (words.len() / each >= used || sheets.pool.is_empty());
+    let (columns, rows) = springs.coefficients.sides();
+    let points = 3 * columns * (rows - 1);
+    // Metres from a patch's corner, and absolute heights.
+    let near =
+        words.chunks(each).flat_map(|sheet| &sheet[..points.min(sheet.len())]).all(|word| (-1e6..=1e6).contains(&f32::from_bits(*word)));
+    let counted = sheets.pool.is_sound(springs.capacity) && sheets.since.len() == used;
+    if whole && near && counted && words.len() / each <= springs.capacity as usize { Ok((sheets, words)) } else { damaged }
 }
 
 /// Puts the next `length` values into a slot, the last `free` of which may be anything; slots below it that nobody uses are zero.

@@ -1,9 +1,13 @@
 //! All that a step changes. Types only; every stage may read what the previous step left.
 
+mod sheets;
+
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use serde::{Deserialize, Serialize};
+
+pub use sheets::{Billboard, SheetPool, Sheets};
 
 /// No slot.
 pub const NONE: u32 = u32::MAX;
@@ -49,6 +53,7 @@ impl State {
         hash.add((self.step >> 32) as u32);
         for stand in &self.stands {
             hash.add(stand.awake.len() as u32);
+            stand.cells.sheets.iter().for_each(|word| hash.add(*word));
             for (patch, awake) in &stand.awake {
                 patch.iter().for_each(|along| hash.add(*along as u32));
                 let slot = awake.slot as usize;
@@ -98,6 +103,8 @@ pub struct StandState {
     pub summaries: VecDeque<(u64, Vec<(PatchKey, Summary)>)>,
     /// Cells of each slot; empty where a GPU holds them.
     pub cells: Cells,
+    /// Who has a sheet, where bodies deform billboards.
+    pub sheets: Sheets,
     /// Counters since the start.
     pub counters: Counters,
 }
@@ -138,7 +145,8 @@ impl Default for Awake {
 /// with a state.
 #[derive(Clone, Debug, Default)]
 pub struct Cells {
-    /// Time level n, per slot; 4·cells² values or empty. Of plants that swing by themselves: [`crate::response::oscillator::Record`]s. Blade by blade: the moments of virtual blades \[N·m\], x and y of each segment.
+    /// Time level n, per slot; 4·cells² values or empty. Of plants that swing by themselves:
+    /// [`crate::response::oscillator::Record`]s. Of deformed billboards: cells² places of sheets, as bits, or [`NONE`]. Blade by blade: the moments of virtual blades \[N·m\], x and y of each segment.
     pub now: Vec<Box<[f32]>>,
     /// Time level n−1 (before the step) or n+1 (after it), likewise. Of plants that swing by themselves: their tilt in the wind
     /// ([`crate::response::oscillator::AirStep`]).
@@ -152,6 +160,10 @@ pub struct Cells {
     pub virtual_states: Vec<Box<[f32]>>,
     /// Where the blades of each lag slot stand; derived, kept while they have one.
     pub roots: Vec<Box<[Root]>>,
+    /// Sheets of deformed billboards, place by place: see [`crate::response::springs::pool::store`].
+    pub sheets: Vec<u32>,
+    /// Growth maps of patches in which bodies deform billboards; derived.
+    pub grown: BTreeMap<PatchKey, Box<[u8]>>,
     /// Ground under each slot's cells; derived, kept while the patch is awake.
     pub ground: Vec<Ground>,
 }

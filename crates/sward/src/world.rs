@@ -2,21 +2,24 @@
 
 mod asked;
 mod bodies;
+mod sheets;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use crate::activation::{BAND, Circumstances, Sharing, activate, keep};
 use crate::interaction::solid::{Solids, WorldSolid};
 use crate::interaction::{Contact, Footprint, Pose, Station, station};
 use crate::lanes::Lanes;
 use crate::model::{Assets, Blower, Model, StandModel, rebased};
-use crate::plan::{ContactPair, PatchPlan, Plan, StandPlan, around, patches_under, weights};
-use crate::response::{Stage, chain, continuum, oscillator};
+use crate::plan::{ContactPair, PatchPlan, Plan, SheetPlan, StandPlan, around, patches_under, weights};
+use crate::response::{Stage, chain, continuum, oscillator, springs};
 use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
-use crate::state::{BodyState, NONE, PatchKey, StandState, State, Summary, TILE};
+use crate::state::{BodyState, NONE, PatchKey, SheetPool, Sheets, StandState, State, Summary, TILE};
 use crate::terrain::TerrainError;
 use crate::view::View;
 use crate::wind::WindField;
+use sheets::Near;
 
 /// Faster than this, m/s, a body has jumped: it sweeps nothing.
 const JUMP: f64 = 150.0;
@@ -45,6 +48,8 @@ pub struct World {
     pub state: State,
     /// Instructions the CPU kernels use; results do not depend on it.
     pub lanes: Lanes,
+    /// What bodies look like from six sides, on the CPU: [`crate::model::BodyMaps::texels`] as of the last step.
+    pub texels: Arc<Vec<[f32; 4]>>,
 }
 
 impl World {
@@ -54,7 +59,8 @@ impl World {
         let scene = rebased(scene);
         let model = Model::compile(&scene, assets)?;
         let state = State { bodies: vec![BodyState::default(); scene.interactors.len()], ..State::default() };
-        let mut world = Self { scene, model, state, lanes: Lanes::default() };
+        let texels = Arc::clone(&model.maps.texels);
+        let mut world = Self { scene, model, state, lanes: Lanes::default(), texels };
         world.apply_edits(f64::NEG_INFINITY, 0.0);
         world.state.stands = world.model.stands.iter().map(|stand| world.empty_stand(stand)).collect();
         for index in 0..world.state.bodies.len() {
@@ -67,7 +73,9 @@ impl World {
     /// A stand that sleeps everywhere.
     pub(crate) fn empty_stand(&self, stand: &StandModel) -> StandState {
         let (slots, lag_slots) = (0..self.scene.budget.patches, 0..lag_capacity(&self.scene, stand));
-        StandState { free: slots.collect(), lag_free: lag_slots.collect(), ..Default::default() }
+        let pool = SheetPool::new(stand.springs.as_ref().map_or(0, |springs| springs.capacity));
+        let sheets = Sheets { pool, since: Vec::new() };
+        StandState { free: slots.collect(), lag_free: lag_slots.collect(), sheets, ..Default::default() }
     }
 
     /// Time of the state, s.
@@ -137,10 +145,15 @@ impl World {
         for index in 0..self.model.stands.len() {
             let footprints = self.footprints(&self.model.stands[index], &moving);
             let solids = self.solids(&self.model.stands[index], &moving);
-            self.activate(index, &footprints, &solids, &camera);
-            stands.push(self.plan_stand(index, &footprints, &solids));
+            let near = self.near_sheets(index, &solids);
+            self.activate(index, &footprints, &solids, &near, &camera);
+            let given = self.share_sheets(index, &near);
+            let mut plan = self.plan_stand(index, &footprints, &solids);
+            self.plan_sheets(index, &solids, &near, &given, &mut plan);
+            stands.push(plan);
         }
-        Plan { step: self.state.step, stands }
+        let maps = self.moving_maps(&stands);
+        Plan { step: self.state.step, stands, maps }
     }
 
     /// The response of every stand on the CPU, between [`World::plan`] and [`World::finish`].
@@ -150,11 +163,16 @@ impl World {
 
     /// As [`World::respond`]; `ended` hears of each stage that has just ended, for callers with a clock.
     pub fn respond_in_stages(&mut self, plan: &Plan, ended: &mut dyn FnMut(Stage)) -> Vec<Vec<(PatchKey, Summary)>> {
-        let mut summaries = Vec::new();
+        self.draw_maps(&plan.maps);
+        let (texels, mut summaries) = (Arc::clone(&self.texels), Vec::new());
         for ((stand, plan_of), state) in self.model.stands.iter().zip(&plan.stands).zip(&mut self.state.stands) {
             let (terrain, cells) = (&self.model.terrain, &mut state.cells);
             if let Some(chain) = &stand.chain {
                 summaries.push(chain::step_stand(terrain, stand, chain, plan_of, cells, self.model.dt as f32, ended));
+                continue;
+            }
+            if let Some(springs) = &stand.springs {
+                summaries.push(springs::step_stand(terrain, stand, springs, plan_of, &texels, cells, ended));
                 continue;
             }
             if let Some(oscillator) = &stand.oscillator {
@@ -302,14 +320,15 @@ impl World {
         (540.0 * cosine / sine / nearest.max(NEAREST)) as f32
     }
 
-    fn activate(&mut self, index: usize, footprints: &[Footprint], solids: &[WorldSolid], camera: &View) {
+    fn activate(&mut self, index: usize, footprints: &[Footprint], solids: &[WorldSolid], near: &Near, camera: &View) {
         let stand = &self.model.stands[index];
         let length = f64::from(stand.species.height[1]);
-        let reached: BTreeSet<PatchKey> = solids.iter().flat_map(|solid| patches_within(solid, length, self.model.patch_side)).collect();
+        let by_blade = solids.iter().filter(|_| stand.chain.is_some());
+        let reached: BTreeSet<PatchKey> = by_blade.flat_map(|solid| patches_within(solid, length, self.model.patch_side)).collect();
         // What swings by itself does not push its neighbours.
         let margin = if stand.oscillator.is_some() { 0 } else { BAND as i64 + 1 };
         let side = i64::from(stand.cells);
-        let mut touched = reached.clone();
+        let mut touched: BTreeSet<PatchKey> = reached.iter().copied().chain(near.keys().map(|(patch, _)| *patch)).collect();
         for footprint in footprints.iter().filter(|footprint| reaches(&self.model, footprint, stand)) {
             for patch in patches_under(footprint, side, margin) {
                 touched.insert(patch);
@@ -333,7 +352,7 @@ impl World {
             tolerance: stand.tolerance,
             rate: f64::from(self.model.rate),
             sharing: match &stand.chain {
-                None => stand.oscillator.as_ref().map_or(Sharing::Near, |oscillator| Sharing::Swinging(oscillator.coefficients.settle)),
+                None => stand.settle().map_or(Sharing::Near, Sharing::Swinging),
                 Some(chain) if chain.all => Sharing::All(&reached),
                 Some(_) => Sharing::Reached(&reached),
             },
@@ -354,6 +373,7 @@ impl World {
             edges: Vec::new(),
             pairs: Vec::new(),
             solids: Solids::default(),
+            sheets: SheetPlan::default(),
         };
         let mut reached: BTreeMap<PatchKey, Vec<ContactPair>> = BTreeMap::new();
         for footprint in footprints {
@@ -441,7 +461,7 @@ fn lag_capacity(scene: &Scene, stand: &StandModel) -> u32 {
     if let Some(chain) = &stand.chain {
         return (scene.budget.stateful_blades / chain.blades_of_patch(stand.cells).max(1)).min(scene.budget.patches);
     }
-    if stand.lag.segments < 2 || stand.oscillator.is_some() {
+    if stand.lag.segments < 2 || stand.settle().is_some() {
         return 0;
     }
     let radius = f64::from(scene.budget.lag_distance / scene.field.patch_side) + 0.75;

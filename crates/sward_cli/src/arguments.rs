@@ -81,6 +81,17 @@ pub(crate) enum Command {
     Completions(Completions),
 }
 
+/// Where what takes long is kept from run to run.
+#[derive(Clone, Debug, Default, Args)]
+pub(crate) struct Caching {
+    /// Folder where the light of scenes with a picture of their surroundings is kept; by default sward in the user's cache folder
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) cache: Option<PathBuf>,
+    /// Keep nothing: work that light out every time
+    #[arg(long, conflicts_with = "cache")]
+    pub(crate) no_cache: bool,
+}
+
 /// `sward render`.
 #[derive(Debug, Args)]
 pub(crate) struct Render {
@@ -125,6 +136,9 @@ pub(crate) struct Render {
     /// What draws the picture
     #[arg(long, value_enum, default_value_t = Draw::Auto)]
     pub(crate) draw: Draw,
+    /// Where what takes long is kept
+    #[command(flatten)]
+    pub(crate) caching: Caching,
 }
 
 impl Render {
@@ -193,6 +207,9 @@ pub(crate) struct Bench {
     /// How the GPU stores cells: 32 bytes each, or 16; by default what the scene says
     #[arg(long, value_enum)]
     pub(crate) precision: Option<Precision>,
+    /// Where what takes long is kept
+    #[command(flatten)]
+    pub(crate) caching: Caching,
     /// Folder for bench.json and bench.csv
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,

@@ -1,11 +1,14 @@
 //! What draws the picture: a graphics adapter, or the CPU.
 
+use std::sync::Arc;
+
 use sward::picture::Picture;
 use sward::world::World;
 use sward_wgpu::gpu::{Gpu, GpuError};
 
 use crate::arguments::{Draw, Where};
 use crate::backend::Backend;
+use crate::cache::Cache;
 use crate::console::Console;
 use crate::failure::Failure;
 
@@ -42,9 +45,16 @@ pub(crate) fn adapter_by(open: fn() -> Result<Gpu, GpuError>, draw: Draw, on: Wh
 
 impl<'a> Artist<'a> {
     /// The adapter if there is one and the CPU was not asked for. Fails for pictures it cannot draw.
-    pub(crate) fn choose(draw: Draw, gpu: Option<&'a Gpu>, world: &World, size: [u32; 2]) -> Result<Self, Failure> {
+    pub(crate) fn choose(
+        draw: Draw,
+        gpu: Option<&'a Gpu>,
+        world: &World,
+        size: [u32; 2],
+        (cache, console): (&Cache, &Console),
+    ) -> Result<Self, Failure> {
+        let lighting = || cache.lighting(world, console).map(Arc::new);
         let Some(gpu) = gpu.filter(|_| draw != Draw::Cpu) else {
-            return Ok(Self::Cpu(Box::new(sward_raster::Studio::new(world))));
+            return Ok(Self::Cpu(Box::new(sward_raster::Studio::lit(world, lighting()))));
         };
         let largest = gpu.device.limits().max_texture_dimension_2d;
         if size.iter().any(|side| *side > largest) {
@@ -52,7 +62,7 @@ impl<'a> Artist<'a> {
             let help = format!("type a --size of at most {largest}x{largest}, or --draw cpu");
             return Err(Failure::input(format!("{}x{} is too large for {adapter}", size[0], size[1]), help));
         }
-        Ok(Self::Gpu(gpu, Box::new(sward_wgpu::studio::Studio::new(gpu, world)?)))
+        Ok(Self::Gpu(gpu, Box::new(sward_wgpu::studio::Studio::lit(gpu, world, lighting())?)))
     }
 
     /// Draws the moment `behind` steps before the world's state.

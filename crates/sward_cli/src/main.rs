@@ -6,6 +6,7 @@ mod aov;
 mod arguments;
 mod artist;
 mod backend;
+mod cache;
 mod checkpoint;
 mod clip;
 mod commands;

@@ -43,6 +43,8 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "blades" at 5.0;
     "grassland" at 4.0;
     "footsteps" at 5.2;
+    "stamp" at 7.3;
+    "walkers" at 7.0;
 };
 
 /// The files that come with sward.
@@ -51,6 +53,7 @@ struct Embedded;
 const FILES: &[(&str, &[u8])] = &[
     ("assets/jacksboro.png", include_bytes!("../../../assets/jacksboro.png")),
     ("assets/jacksboro.toml", include_bytes!("../../../assets/jacksboro.toml")),
+    ("assets/walker.glb", include_bytes!("../../../assets/walker.glb")),
 ];
 
 impl Assets for Embedded {

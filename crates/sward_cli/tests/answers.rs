@@ -38,9 +38,10 @@ fn show_works_for_every_shipped_scene() {
     let place = Place::new("show");
     for name in in_the_repository() {
         let text = place.sward(&["show", &name]).done();
-        let kinds = [("virtual blades", "have a state"), ("swings at", "after a body")];
+        let kinds = [("virtual blades", "have a state"), ("swings at", "after a body"), ("sheets of", "after a body")];
         let own = kinds.iter().find(|(kind, _)| text.contains(kind)).map_or("substep", |(_, word)| word);
-        for word in ["Hz", "damping ratio", own, "plants", "bytes a patch", "MB at most", "wind", "body", "budget", "segment"] {
+        let [rate, ratio] = if text.contains("sheets of") { ["springs of stiffness", "sweeps"] } else { ["Hz", "damping ratio"] };
+        for word in [rate, ratio, own, "plants", "bytes a patch", "MB at most", "wind", "body", "budget", "segment"] {
             assert!(text.contains(word), "{name}: no `{word}` in\n{text}");
         }
     }

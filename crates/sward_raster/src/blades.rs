@@ -8,7 +8,7 @@ use sward::picture::blade_plan::{BladePlan, LEVELS};
 use sward::picture::blades::{Blade, Blades, heading};
 use sward::picture::frame::{FrameUniform, NEAR, SHADOW_SIDE};
 use sward::picture::identity;
-use sward::shading::blade::{BladeStyle, Spot, blade, coverage};
+use sward::shading::blade::{BladeStyle, Spot, coverage};
 use sward::shading::common::patchwork;
 use sward::shading::foliage::MEAN_LIT;
 
@@ -239,7 +239,7 @@ impl Strips {
                 tint: grown.tint,
             };
             let lit = sight.shadows.lit(shadows::place(&sight.frame, place, 0.10), 2.2, MEAN_LIT);
-            let colour = blade(&self.style, &spot, view, distance, &sight.light, lit);
+            let colour = sight.blade(&self.style, &spot, view, distance, lit, (place, place.y - grown.root[1]));
             let air = air[0] * weights.x + air[1] * weights.y + air[2] * weights.z;
             shaded.colours[lane] = air.xyz() + colour * air.w;
         }

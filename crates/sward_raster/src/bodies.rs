@@ -4,7 +4,6 @@ use glam::{Vec3, Vec4};
 use sward::geometry::mesh::{Mesh, Vertex};
 use sward::math::smoothstep;
 use sward::picture::frame::{BodyDraw, FrameUniform, SHADOW_SIDE};
-use sward::shading::body::body;
 
 use crate::bins::{Bins, Rect};
 use crate::ground::rect;
@@ -126,7 +125,7 @@ fn shade(sight: &Sight<'_>, quad: &Quad, corners: &[Skin; 3]) -> Shaded {
         let normal = if outwards.dot(view) > 0.0 { outwards } else { -outwards };
         let lit = sight.shadows.soft(shadows::place(&sight.frame, place + normal * 0.03, 0.03), 1.5);
         let (colour, surface) = (between(lane, |corner| corner.colour), between(lane, |corner| corner.surface));
-        let colour = body(colour, surface, normal, view, &sight.light, sight.haze(), lit);
+        let colour = sight.body(colour, surface, normal, view, lit);
         shaded.colours[lane] = sight.air(-view).lerp(colour, sight.clear(distance));
     }
     shaded

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, Vec4};
 use sward::geometry::relief::{Relief, ReliefFrame, detail, edit, height};
 use sward::geometry::rings::{self, Grid};
 use sward::growth::Near;
-use sward::shading::ground::{earth, ground, stray};
+use sward::shading::ground::stray;
 use sward::shading::look::Turf;
 use sward::terrain::{EditFrame, Edits};
 
@@ -121,13 +121,13 @@ fn shade(sight: &Sight<'_>, turf: &Turf, growth: &Near, quad: &Quad, places: &[V
         let normal = mix(quad.weights[lane], normals).normalize_or(Vec3::Y);
         let lit = sight.shadows.soft(shadows::place(&sight.frame, place, 0.06), 1.6);
         let (p, pixel) = (sight.pattern(place), sight.frame.right.w);
-        let mut colour = ground(turf, p, normal, view, distance, pixel, &sight.light, lit);
+        let mut colour = sight.ground(turf, p, normal, view, distance, lit, place);
         if !growth.is_empty() {
             let blur = distance * pixel / normal.dot(view).max(0.03).sqrt();
             let [red, green, blue, bare] = growth.bare((Vec2::new(place.x, place.z) + stray(p)).to_array(), blur);
             if bare > 0.0 {
                 let own = Vec3::new(red, green, blue) / bare;
-                colour = colour.lerp(earth(own, p, normal, view, distance, pixel, &sight.light, lit), bare);
+                colour = colour.lerp(sight.earth(own, p, normal, view, distance, lit, place), bare);
             }
         }
         shaded.colours[lane] = sight.air(-view).lerp(colour, sight.clear(distance));

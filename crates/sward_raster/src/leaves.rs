@@ -30,6 +30,8 @@ pub(crate) struct LeafOf<'a> {
     pub(crate) clump: &'a Clump,
     pub(crate) patchwork: Vec3,
     pub(crate) tint: f32,
+    /// Height of the root, m.
+    pub(crate) root: f32,
 }
 
 impl Leaf {
@@ -130,8 +132,9 @@ pub(crate) fn shade(sight: &Sight<'_>, of: &LeafOf<'_>, quad: &Quad, leaves: &mu
             tint: of.tint,
         };
         let texel = print.read[lane].paint(print.at[lane].x, print.at[lane].y);
-        let lit = sight.shadows.lit(shadows::place(&sight.frame, mix(weights, &places), 0.10), 2.2, MEAN_LIT);
-        let colour = foliage::foliage(of.style, &place, texel.into(), view, distance, &sight.light, lit);
+        let at = mix(weights, &places);
+        let lit = sight.shadows.lit(shadows::place(&sight.frame, at, 0.10), 2.2, MEAN_LIT);
+        let colour = sight.foliage(of.style, &place, texel.into(), view, distance, lit, (at, at.y - of.root));
         let air = three.map(|corner| leaves[corner].air(sight));
         let air = air[0] * weights.x + air[1] * weights.y + air[2] * weights.z;
         shaded.colours[lane] = air.xyz() + colour * air.w;

@@ -32,6 +32,7 @@ mod shadows;
 mod sight;
 mod sky;
 mod studio;
+mod surroundings;
 mod tile;
 mod trace;
 mod triangle;

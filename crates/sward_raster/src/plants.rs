@@ -213,7 +213,8 @@ impl Batch {
             let plant = &self.plants[index as usize];
             let Some(keep) = self.keep(sight, plant) else { continue };
             let pattern = patchwork(sight.pattern(plant.root.into()));
-            let of = LeafOf { style: &self.style, clump: clumps.layer(plant.layer), patchwork: pattern, tint: plant.tint };
+            let (clump, root) = (clumps.layer(plant.layer), plant.root[1]);
+            let of = LeafOf { style: &self.style, clump, patchwork: pattern, tint: plant.tint, root };
             for card in 0..self.cards() {
                 self.corners(index as usize, plant, card, keep, &mut leaves);
                 see(sight, &leaves, &mut clips);

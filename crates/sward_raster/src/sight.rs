@@ -3,9 +3,10 @@
 use glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 use sward::picture::frame::FrameUniform;
 use sward::shading::common::fog;
-use sward::shading::sky::{self, Light};
+use sward::shading::sky::Light;
 
 use crate::shadows::ShadowMap;
+use crate::surroundings::Surroundings;
 
 /// A picture's frame, taken apart.
 pub(crate) struct Sight<'a> {
@@ -16,12 +17,14 @@ pub(crate) struct Sight<'a> {
     /// Size in pixels.
     pub(crate) size: [u32; 2],
     pub(crate) shadows: &'a ShadowMap,
+    /// Where the scene has some.
+    pub(crate) surroundings: Option<Surroundings<'a>>,
 }
 
 impl<'a> Sight<'a> {
-    pub(crate) fn new(frame: FrameUniform, size: [u32; 2], shadows: &'a ShadowMap) -> Self {
+    pub(crate) fn new(frame: FrameUniform, size: [u32; 2], shadows: &'a ShadowMap, surroundings: Option<Surroundings<'a>>) -> Self {
         let light = Light { sun: frame.sun.xyz(), sun_colour: frame.sun_colour.xyz(), sky: frame.sky.xyz(), ground: frame.ground.xyz() };
-        Self { light, eye: frame.camera.xyz(), size, shadows, frame }
+        Self { light, eye: frame.camera.xyz(), size, shadows, surroundings, frame }
     }
 
     /// Clip space of a place.
@@ -44,11 +47,6 @@ impl<'a> Sight<'a> {
     #[inline]
     pub(crate) fn clear(&self, distance: f32) -> f32 {
         fog(distance, self.frame.camera.w)
-    }
-
-    /// What air adds between the eye and far away.
-    pub(crate) fn air(&self, ray: Vec3) -> Vec3 {
-        sky::air(ray, self.light.sun, self.haze())
     }
 
     /// A place in the pattern of the ground, m.

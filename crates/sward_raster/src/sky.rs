@@ -1,7 +1,6 @@
 //! The backdrop: behind everything, only where nothing else is.
 
 use glam::Vec4Swizzles;
-use sward::shading::sky::backdrop;
 
 use crate::sight::Sight;
 use crate::tile::{Tile, ray};
@@ -12,7 +11,7 @@ pub(crate) fn draw(sight: &Sight<'_>, tile: &mut Tile) {
     let axes = [frame.forward.xyz(), frame.right.xyz(), frame.up.xyz()];
     let shade = |pixel| {
         let ray = ray(axes, pixel, sight.pixels());
-        backdrop(ray, sight.light.sun, sight.haze(), frame.sun_colour.w, frame.phase.zw())
+        sight.backdrop(ray)
     };
     tile.fill(shade, sight.size);
 }

@@ -1,5 +1,7 @@
 //! A world, drawn on the CPU.
 
+use std::sync::Arc;
+
 use sward::geometry::mesh::Mesh;
 use sward::geometry::relief::Relief;
 use sward::growth::Near;
@@ -12,6 +14,7 @@ use sward::picture::plan::{self, BatchPlan, Seen};
 use sward::picture::plants::Plant;
 use sward::picture::prepare::{PrepareUniform, Preparing};
 use sward::picture::subject::{self, Frame, SHADOW_REACH};
+use sward::picture::volume::{AmbientUniform, Lighting};
 use sward::response::continuum::NODE_CELLS;
 use sward::shading::look::{Look, Turf};
 use sward::state::{Cells, PatchKey};
@@ -29,6 +32,7 @@ use crate::plants::Batch;
 use crate::shadows::{ShadowMap, ShadowTile, TILES};
 use crate::sight::Sight;
 use crate::sky;
+use crate::surroundings::Surroundings;
 use crate::tile::{SIDE, Tile};
 
 /// Largest side of a picture, pixels.
@@ -43,11 +47,18 @@ pub struct Studio {
     meshes: Vec<Mesh>,
     /// Mesh of each body; `None` for a shape without one.
     pub(crate) mesh_of: Vec<Option<usize>>,
+    /// The light of the scene's surroundings, where it has some.
+    lighting: Option<Arc<Lighting>>,
 }
 
 impl Studio {
     /// Makes what stays the same from picture to picture.
     pub fn new(world: &World) -> Self {
+        Self::lit(world, Lighting::of(world).map(Arc::new))
+    }
+
+    /// As [`Studio::new`], with the light of the surroundings that was worked out or stored before.
+    pub fn lit(world: &World, lighting: Option<Arc<Lighting>>) -> Self {
         let looks = subject::looks(world);
         let (mut meshes, mut mesh_of) = (Vec::new(), Vec::new());
         for mesh in subject::meshes(world) {
@@ -57,7 +68,7 @@ impl Studio {
             }));
         }
         let relief = subject::relief(&world.model.terrain);
-        Self { turf: Turf::of(&looks), clumps: Clumps::new(&looks), looks, relief, meshes, mesh_of }
+        Self { turf: Turf::of(&looks), clumps: Clumps::new(&looks), looks, relief, meshes, mesh_of, lighting }
     }
 
     /// Draws the world as it stands, in `size` pixels (each side is brought into 1..=16384). Cells are read from `world.state`: where a
@@ -79,7 +90,7 @@ impl Studio {
 
     fn finish(&self, world: &World, moment: &Moment) -> Picture {
         let shadows = self.shadow_map(moment);
-        let sight = Sight::new(moment.uniform, moment.size, &shadows);
+        let sight = self.sight(world, moment, &shadows);
         self.paint(&sight, &self.layout(&sight, moment, world), moment)
     }
 
@@ -88,10 +99,18 @@ impl Studio {
     pub fn draw_aov(&self, world: &World, past: &Past, behind: f64, size: [u32; 2]) -> (Picture, Aov) {
         let moment = self.moment(world, behind, size, None);
         let shadows = self.shadow_map(&moment);
-        let sight = Sight::new(moment.uniform, moment.size, &shadows);
+        let sight = self.sight(world, &moment, &shadows);
         let layout = self.layout(&sight, &moment, world);
         let before = self.before(world, past, &moment);
         (self.paint(&sight, &layout, &moment), self.trace(&sight, &layout, &moment, &before))
+    }
+
+    fn sight<'a>(&'a self, world: &World, moment: &Moment, shadows: &'a ShadowMap) -> Sight<'a> {
+        let surroundings = self.lighting.as_deref().map(|lighting| {
+            let uniform = AmbientUniform::new(lighting, moment.frame.corner, world.scene.light.strength);
+            Surroundings { lighting, uniform }
+        });
+        Sight::new(moment.uniform, moment.size, shadows, surroundings)
     }
 
     /// Everything of a picture but light and shadow.

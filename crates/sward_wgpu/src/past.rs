@@ -60,6 +60,7 @@ impl KeptPast {
                         *kept = CellBuffers::new(gpu, stand, Precision::Full);
                     }
                     kept.reserve(gpu, state, !stand.stores_ground(&world.model.terrain))?;
+                    kept.reserve_sheets(gpu, state)?;
                     kept.upload(gpu, state);
                 }
                 CellsAt::Gpu(step) => {

@@ -1,5 +1,7 @@
 //! A picture of a scene, without a window: shadow pass, main pass, resolve, read-back; and outputs beside it where they are asked for.
 
+use std::sync::Arc;
+
 pub use crate::render::aov::Before;
 use sward::geometry::mesh::Mesh;
 use sward::geometry::relief::Relief;
@@ -7,9 +9,11 @@ pub use sward::picture::Picture;
 use sward::picture::aov::Aov;
 use sward::picture::frame::{FrameInput, FrameUniform};
 use sward::picture::subject::SHADOW_REACH;
+use sward::picture::volume::{AmbientUniform, Lighting};
 use sward::shading::look::{Look, Turf};
 
 use crate::gpu::{Gpu, GpuError};
+use crate::render::Surroundings;
 use crate::render::aov::{AovPass, Drawn};
 use crate::render::blades::BladePass;
 use crate::render::bodies::BodyPass;
@@ -30,17 +34,26 @@ pub struct Setup {
     pub looks: Vec<Look>,
     /// Half side of the square around the focus that casts shadows, metres.
     pub shadow_reach: f32,
+    /// The light of the scene's surroundings, where it has some.
+    pub lighting: Option<Arc<Lighting>>,
 }
 
 impl Default for Setup {
     fn default() -> Self {
-        Self { relief: Relief::flat(0.0), looks: vec![Look::of(sward::shading::clump::Kind::Meadow)], shadow_reach: SHADOW_REACH }
+        Self {
+            relief: Relief::flat(0.0),
+            looks: vec![Look::of(sward::shading::clump::Kind::Meadow)],
+            shadow_reach: SHADOW_REACH,
+            lighting: None,
+        }
     }
 }
 
 /// Draws pictures of one scene.
 pub struct Renderer {
     frame: wgpu::Buffer,
+    /// What the surroundings bind, and where the volume lies.
+    surroundings: Option<(Surroundings, Arc<Lighting>)>,
     shadow: ShadowMap,
     sky: SkyPass,
     ground: GroundPass,
@@ -71,14 +84,16 @@ impl Renderer {
             mapped_at_creation: false,
         });
         let shadow = ShadowMap::new(&gpu.device);
+        let surroundings = setup.lighting.as_ref().map(|lighting| (Surroundings::new(gpu, lighting), Arc::clone(lighting)));
+        let lit = surroundings.as_ref().map(|(bound, _)| bound);
         let looks = if setup.looks.is_empty() { Setup::default().looks } else { setup.looks.clone() };
         let mut relief = setup.relief.clone();
         // Only the mapping is needed from here on; the samples live on the GPU.
         let renderer = Self {
-            sky: SkyPass::new(gpu, &frame),
-            ground: GroundPass::new(gpu, &frame, &shadow, &relief, Turf::of(&looks)),
-            bodies: BodyPass::new(gpu, &frame, &shadow),
-            plants: PlantPass::new(gpu, &looks),
+            sky: SkyPass::new(gpu, &frame, lit),
+            ground: GroundPass::new(gpu, &frame, &shadow, lit, &relief, Turf::of(&looks)),
+            bodies: BodyPass::new(gpu, &frame, &shadow, lit),
+            plants: PlantPass::new(gpu, &looks, lit),
             blades: None,
             resolve: Resolve::new(gpu),
             targets: None,
@@ -89,6 +104,7 @@ impl Renderer {
             },
             shadow_reach: setup.shadow_reach.clamp(1.0, 1000.0),
             frame,
+            surroundings,
             shadow,
             stopwatch: None,
         };
@@ -140,12 +156,15 @@ impl Renderer {
         let size = fitting(gpu, size);
         let uniform = FrameUniform::new(input, self.relief.frame(input.origin), size, self.shadow_reach);
         gpu.queue.write_buffer(&self.frame, 0, bytemuck::bytes_of(&uniform));
+        if let Some((bound, lighting)) = &self.surroundings {
+            bound.write(gpu, &AmbientUniform::new(lighting, input.origin, input.light.strength));
+        }
         self.ground.place(gpu, [input.view.position.x, input.view.position.z], input.origin);
         self.ground.lay(gpu, input.terrain, &input.growth);
         self.bodies.place(gpu, input.bodies);
         let ready = self.plants.ready(gpu, &self.frame, &self.shadow, plants);
         if self.blades.is_none() && !plants.blades.is_empty() {
-            self.blades = Some(BladePass::new(gpu));
+            self.blades = Some(BladePass::new(gpu, self.surroundings.as_ref().map(|(bound, _)| bound)));
         }
         let ready_blades = self.blades.as_mut().map(|pass| pass.ready(gpu, &self.frame, &self.shadow, plants.blades)).unwrap_or_default();
         let targets = match self.targets.take() {

@@ -1,10 +1,13 @@
 //! A world, drawn: prepares the visible plants and hands everything to the renderer.
 
+use std::sync::Arc;
+
 use sward::picture::aov::Aov;
 use sward::picture::blade_plan::{self, BladePlan};
 use sward::picture::plan::{BatchPlan, PatchDraw, Seen, plan, share};
 use sward::picture::prepare::PrepareUniform;
 use sward::picture::subject::{self, Frame};
+use sward::picture::volume::Lighting;
 use sward::scene::Precision;
 use sward::shading::blade::BladeStyle;
 use sward::shading::look::Look;
@@ -69,9 +72,17 @@ impl Studio {
     /// # Errors
     /// What the device reports.
     pub fn new(gpu: &Gpu, world: &World) -> Result<Self, GpuError> {
+        Self::lit(gpu, world, Lighting::of(world).map(Arc::new))
+    }
+
+    /// As [`Studio::new`], with the light of the surroundings that was worked out or stored before; `None` draws the scene without any.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn lit(gpu: &Gpu, world: &World, lighting: Option<Arc<Lighting>>) -> Result<Self, GpuError> {
         let looks = subject::looks(world);
         let relief = subject::relief(&world.model.terrain);
-        let mut renderer = Renderer::new(gpu, &Setup { relief, looks: looks.clone(), ..Setup::default() })?;
+        let mut renderer = Renderer::new(gpu, &Setup { relief, looks: looks.clone(), lighting, ..Setup::default() })?;
         let meshes = subject::meshes(world).iter().map(|mesh| mesh.as_ref().map(|mesh| renderer.add_mesh(gpu, mesh))).collect();
         let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand, Precision::Full)).collect();
         let batches = world.model.stands.iter().map(|_| Default::default()).collect();
@@ -171,6 +182,7 @@ impl Studio {
         if matches!(cells, CellsAt::Cpu) {
             for ((buffers, state), stand) in self.uploaded.iter_mut().zip(&world.state.stands).zip(&world.model.stands) {
                 buffers.reserve(gpu, state, !stand.stores_ground(&world.model.terrain))?;
+                buffers.reserve_sheets(gpu, state)?;
                 buffers.upload(gpu, state);
             }
         }

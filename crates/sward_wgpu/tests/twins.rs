@@ -10,10 +10,14 @@ mod chains;
 mod continuum;
 #[path = "support/controls.rs"]
 mod controls;
+#[path = "support/distance_maps.rs"]
+mod distance_maps;
 #[path = "support/halves.rs"]
 mod halves;
 #[path = "support/kernels.rs"]
 mod kernels;
+#[path = "support/lit.rs"]
+mod lit;
 #[path = "support/maths.rs"]
 mod maths;
 #[path = "support/prepared.rs"]
@@ -24,6 +28,10 @@ mod runs;
 mod scenes;
 #[path = "support/shading.rs"]
 mod shading;
+#[path = "support/sheets.rs"]
+mod sheets;
+#[path = "support/springs.rs"]
+mod springs;
 #[path = "support/swings.rs"]
 mod swings;
 
@@ -53,6 +61,10 @@ fn main() -> std::process::ExitCode {
         ("grounds", shading::grounds),
         ("earths", shading::earths),
         ("bodies_lit", shading::bodies),
+        ("surroundings", lit::surroundings),
+        ("leaves_in_a_volume", lit::leaves),
+        ("blades_in_a_volume", lit::blades),
+        ("grounds_in_a_volume", lit::grounds),
         ("rungs", shading::rungs),
         ("reliefs", shading::reliefs),
         ("relief_edits", shading::relief_edits),
@@ -66,6 +78,15 @@ fn main() -> std::process::ExitCode {
         ("swings_solved", prepared::swings_solved),
         ("sheets_solved", prepared::sheets_solved),
         ("sheets_stay_above_ground", prepared::sheets_stay_above_ground),
+        ("sheet_runs", sheets::run),
+        ("sheets_bent", prepared::sheets_bent),
+        ("distance_maps", distance_maps::solids),
+        ("distance_maps_of_figures", distance_maps::figures),
+        ("springs_contacts", springs::contacts),
+        ("springs_poses", springs::poses),
+        ("springs_recoveries", springs::recoveries),
+        ("springs_pushes", springs::pushes),
+        ("springs_lays", springs::lays),
         ("chain_steps", chains::steps),
         ("chain_poses", chains::poses),
         ("strips", blades::strips),
@@ -98,5 +119,5 @@ fn main() -> std::process::ExitCode {
         ("room_ends", halves::room_ends),
         ("one_dispatch_a_stage", halves::one_dispatch_a_stage),
     ];
-    adapter::run(tests, |_, _| None)
+    adapter::run(tests, |_, name| distance_maps::missing(name))
 }

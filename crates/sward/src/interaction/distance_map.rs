@@ -17,6 +17,8 @@ use crate::math;
 /// Distance maps in WGSL; needs `math` before it, and `distance_map_load(index: u32) -> vec4<f32>` from the host.
 pub const WGSL: &str = include_str!("distance_map.wgsl");
 
+pub use raster::WGSL as RASTER_WGSL;
+
 /// Texels along a side of a face where nothing else is asked for.
 pub const TEXELS: u32 = 64;
 /// Most texels along a side of a face.
@@ -58,8 +60,8 @@ impl Cube {
     }
 }
 
-/// Texels along a side, within what is possible.
-fn sized(size: u32) -> u32 {
+/// Texels along a side, within what is possible: 8 to [`MOST_TEXELS`].
+pub fn sized(size: u32) -> u32 {
     size.clamp(8, MOST_TEXELS)
 }
 

@@ -145,6 +145,16 @@ impl WorldSolid {
         [[self.low[0], self.low[2]], [self.high[0], self.high[2]]]
     }
 
+    /// The lowest and the highest corner of the box around it, m.
+    pub fn bounds(&self) -> [[f64; 3]; 2] {
+        [self.low, self.high]
+    }
+
+    /// Number of its body.
+    pub fn body(&self) -> u32 {
+        self.body
+    }
+
     /// Its lowest point, m.
     pub fn lowest(&self) -> f64 {
         self.low[1]

@@ -58,11 +58,13 @@ pub struct LightInput {
     pub exposure: f32,
     /// Cloud cover, 0..=1.
     pub clouds: f32,
+    /// Light and exposure factor of a picture of the surroundings, which hold instead.
+    pub surroundings: Option<(Light, f32)>,
 }
 
 impl Default for LightInput {
     fn default() -> Self {
-        Self { azimuth: 0.6, elevation: 0.22, strength: 1.0, haze: 0.3, fog: 0.0015, exposure: 0.0, clouds: 0.4 }
+        Self { azimuth: 0.6, elevation: 0.22, strength: 1.0, haze: 0.3, fog: 0.0015, exposure: 0.0, clouds: 0.4, surroundings: None }
     }
 }
 
@@ -148,7 +150,10 @@ impl FrameUniform {
     /// Lays a frame out for a picture of `size` pixels. `shadow_reach` is the half side of the shadowed square, metres.
     pub fn new(input: &FrameInput<'_>, relief: ReliefFrame, size: [u32; 2], shadow_reach: f32) -> Self {
         let light = &input.light;
-        let sun = Light::new(light.azimuth, light.elevation, light.strength, light.haze, light.clouds);
+        let (sun, exposed) = light.surroundings.unwrap_or_else(|| {
+            let sun = Light::new(light.azimuth, light.elevation, light.strength, light.haze, light.clouds);
+            (sun, base_exposure(&sun))
+        });
         let view = &input.view;
         let half = (0.5 * view.field_of_view).tan();
         let aspect = size[0].max(1) as f32 / size[1].max(1) as f32;
@@ -161,7 +166,7 @@ impl FrameUniform {
             shadow: shadow_matrix(input.focus, sun.sun, shadow_reach),
             right: (right * half * aspect).extend(2.0 * half / size[1].max(1) as f32),
             up: (up * half).extend(input.time.rem_euclid(4096.0) as f32),
-            forward: ahead.extend(light.exposure.exp2() * base_exposure(&sun)),
+            forward: ahead.extend(light.exposure.exp2() * exposed),
             camera: view.position.extend(light.fog),
             phase: Vec4::new(phase.x, phase.y, drift, 0.4 * drift),
             sun: sun.sun.extend(light.haze),

@@ -5,6 +5,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::plants::PLANTS_PER_INSTANCE;
+use crate::model::in_field;
 use crate::plan::{around, weights};
 use crate::response::StandModel;
 use crate::shading::look::Look;
@@ -94,9 +95,7 @@ pub(super) fn sighted(world: &World, view: &View, gone: f64) -> Vec<Sighted> {
                 (low - view.focus()[axis]).max(view.focus()[axis] - low - side).max(0.0)
             };
             let distance = outside(0).hypot(outside(1));
-            let inside =
-                world.model.field.is_none_or(|[low, high]| (0..2).all(|axis| patch[axis] >= low[axis] && patch[axis] < high[axis]));
-            if distance < gone && inside && view.sees(patch, side) {
+            if distance < gone && in_field(world.model.field, patch) && view.sees(patch, side) {
                 list.push(Sighted { patch, distance });
             }
         }

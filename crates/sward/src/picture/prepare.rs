@@ -11,10 +11,11 @@ use super::plants::Plant;
 use super::sheets::Rooted;
 use crate::geometry::billboard::{CLEARANCE, earlier, segment};
 use crate::math;
-use crate::placement::{self, PlacementParameters};
+use crate::placement::{self, PlacementParameters, Plant as Placed};
 use crate::response::StandModel;
 use crate::response::chain::{self, ChainModel, HeldBlade, Standing};
 use crate::response::oscillator::{self, Air, OscillatorCoefficients, Own, Record};
+use crate::response::springs::{self, SpringsModel};
 use crate::shading::clump::{VARIANTS, first_layer};
 use crate::shading::look::Look;
 use crate::state::{Cells, NONE};
@@ -234,6 +235,9 @@ impl Preparing<'_> {
         if let Some(chain) = &self.stand.chain {
             return self.chain_bends(chain, draw, phases, who, bends);
         }
+        if let Some(springs) = &self.stand.springs {
+            return self.sheet_bends(springs, draw, phases, who, bends);
+        }
         if let Some(oscillator) = &self.stand.oscillator {
             return self.swings(&oscillator.coefficients, draw, phases, who, bends);
         }
@@ -298,6 +302,22 @@ impl Preparing<'_> {
         let segments = bends.len() as u32;
         for (segment, out) in bends.iter_mut().enumerate() {
             *out = oscillator::curved(co.curve, bend, segment as u32, segments);
+        }
+    }
+
+    /// The same where bodies deform billboards: as the middle of the billboard's sheet bends.
+    fn sheet_bends(&self, springs: &SpringsModel, draw: &PatchDraw, phases: &Phases, who: &Who, bends: &mut [[f32; 2]]) {
+        let (height, slope) = self.terrain.height_and_gradient(draw.anchor, who.local);
+        let plant = Placed { root: who.local, height: who.tall, yaw: who.yaw, tint: 0.0 };
+        let root = springs.root(&plant, height, slope);
+        let target = springs::target_of(springs, &root, self.wind, phases);
+        let (co, area) = (&springs.coefficients, self.uniform.placement.cells * self.uniform.placement.cells);
+        let stored = springs::pool::stored(co, self.cells, draw.slots[4], who.index % area);
+        let sheet = stored.map_or(target, |stored| springs::pool::load(co, &root, stored).shown(co, &root, &target));
+        let (rows, count) = (co.sides().1, bends.len());
+        for (segment, bend) in bends.iter_mut().enumerate() {
+            let row = (segment * (rows - 1) + (rows - 1) / 2) / count.max(1);
+            *bend = sheet.tilt(co, [row, row + 1]);
         }
     }
 

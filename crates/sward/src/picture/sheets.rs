@@ -1,11 +1,7 @@
 //! Sheets: a plant becomes the points of a grid on the smooth surface through its sheet. Twin: `sheets.wgsl` of `sward_wgpu`.
 //!
-//! Orthmann et al. 2009, §5.1, §5.2 and §8. Reads the bends that the stand's response gives at both ends of the foot; writes points, row by
-//! row from the root up.
-//!
-//! A response bends a plant segment by segment. The lowest segment of the sheet tilts as the response's lowest one does (the mean of both
-//! ends), the highest as the response's highest one (each end by itself), and those between go evenly from one to the other: what is
-//! bent steadily stays straight, what whips is curved. A sheet with two rows tilts by the mean of lowest and highest.
+//! Orthmann et al. 2009, §5.1, §5.2 and §8. Reads the sheet that the stand's response gives ([`super::sheet_at`]); writes points, row by row
+//! from the root up.
 
 use glam::Vec3;
 
@@ -13,7 +9,7 @@ use super::plan::PatchDraw;
 use super::prepare::{Preparing, Who};
 use crate::geometry::billboard::CLEARANCE;
 use crate::math;
-use crate::response::springs::{SheetRoot, SpringsCoefficients, pose, surface};
+use crate::response::springs::{SheetRoot, SpringsCoefficients, surface};
 use crate::wind::Phases;
 
 /// A plant where it stands.
@@ -37,8 +33,16 @@ impl Preparing<'_> {
     pub(super) fn sheet(&self, draw: &PatchDraw, phases: &Phases, plant: &Rooted, points: &mut [[f32; 4]]) {
         let [columns, rows, ..] = self.uniform.sheet;
         let co = SpringsCoefficients::new([columns, rows], 0, 0.0, 1.0, 1.0);
-        let (root, bends) = self.sheet_bent(&co, draw, phases, plant);
-        let sheet = self.sheet_at(&co, draw, &plant.who, &root, pose(&co, &root, bends));
+        let (sine, cosine) = math::sin_cos(plant.yaw);
+        let [x, z] = plant.who.local;
+        let root = SheetRoot {
+            at: [x, plant.ground, z],
+            length: plant.height,
+            half_width: [cosine, sine].map(|part| 0.5 * plant.width * part),
+            slope: self.terrain.gradient(draw.anchor, plant.who.local),
+            ..SheetRoot::default()
+        };
+        let sheet = self.sheet_at(&co, draw, phases, plant, &root);
         let drawn = self.uniform.drawn as usize;
         let point = |across: f32, up: f32| {
             let (last, top) = ((co.columns - 1) as f32, (co.rows - 1) as f32);
@@ -60,40 +64,5 @@ impl Preparing<'_> {
             at.y = math::upper(at.y, self.terrain.height(draw.anchor, [at.x, at.z]) + clear);
             *out = (at + shift).extend(0.0).to_array();
         }
-    }
-
-    /// The root of a sheet, and the bends of [`pose`] at both ends of its foot.
-    fn sheet_bent(&self, co: &SpringsCoefficients, draw: &PatchDraw, phases: &Phases, plant: &Rooted) -> (SheetRoot, [[f32; 2]; 2]) {
-        let (placement, segments) = (&self.uniform.placement, (self.uniform.segments as usize).clamp(1, 8));
-        let (sine, cosine) = math::sin_cos(plant.yaw);
-        let [x, z] = plant.who.local;
-        let mut root = SheetRoot {
-            at: [x, plant.ground, z],
-            length: plant.height,
-            half_width: [cosine, sine].map(|part| 0.5 * plant.width * part),
-            slope: self.terrain.gradient(draw.anchor, plant.who.local),
-            ..SheetRoot::default()
-        };
-        let patch_side = placement.spacing * placement.cells as f32;
-        let ends = [-1.0, 1.0].map(|side| {
-            // Cells and texels are asked within the patch only, as by plants.
-            let local = [0, 1].map(|axis| math::clamped(plant.who.local[axis] + side * root.half_width[axis], 0.0, patch_side));
-            let mut bends = [[0.0; 2]; 8];
-            self.bends(draw, phases, &Who { local, ..plant.who }, &mut bends[..segments]);
-            [bends[0], bends[segments - 1]]
-        });
-        let tilts = co.rows - 1;
-        let mut bends = [ends[0][1], ends[1][1]];
-        for axis in 0..2 {
-            let (low, high) = (0.5 * (ends[0][0][axis] + ends[1][0][axis]), 0.5 * (ends[0][1][axis] + ends[1][1][axis]));
-            if tilts == 1 {
-                bends.iter_mut().for_each(|bend| bend[axis] += 0.5 * (low - high));
-            } else {
-                let lean = (tilts as f32 * low - high) / (tilts - 1) as f32;
-                root.lean[axis] = lean;
-                bends.iter_mut().for_each(|bend| bend[axis] -= lean);
-            }
-        }
-        (root, bends)
     }
 }

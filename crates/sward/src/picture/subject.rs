@@ -155,6 +155,11 @@ impl Frame {
                 fog: light.fog,
                 exposure: light.exposure,
                 clouds: light.clouds,
+                surroundings: world
+                    .model
+                    .environment
+                    .as_ref()
+                    .map(|environment| (environment.light(light.strength, light.azimuth, light.elevation), environment.exposure())),
             },
             bodies,
             time: world.time() - self.behind * world.model.dt,

@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 
 /// Runs `work` over the tasks.
-pub(super) fn each<T: Send, R: Send>(tasks: Vec<T>, work: impl Fn(T) -> R + Sync + Send) -> Vec<R> {
+pub(crate) fn each<T: Send, R: Send>(tasks: Vec<T>, work: impl Fn(T) -> R + Sync + Send) -> Vec<R> {
     #[cfg(feature = "parallel")]
     return tasks.into_par_iter().map(work).collect();
     #[cfg(not(feature = "parallel"))]
@@ -12,7 +12,7 @@ pub(super) fn each<T: Send, R: Send>(tasks: Vec<T>, work: impl Fn(T) -> R + Sync
 }
 
 /// As [`each`], with working space that each thread makes once.
-pub(super) fn each_with<T: Send, S, R: Send>(
+pub(crate) fn each_with<T: Send, S, R: Send>(
     tasks: Vec<T>,
     space: impl Fn() -> S + Sync + Send,
     work: impl Fn(&mut S, T) -> R + Sync + Send,

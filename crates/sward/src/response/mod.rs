@@ -4,7 +4,7 @@
 
 pub mod chain;
 pub mod continuum;
-mod each;
+pub(crate) mod each;
 pub mod oscillation;
 pub mod oscillator;
 pub mod springs;

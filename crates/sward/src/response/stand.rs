@@ -3,6 +3,7 @@
 use super::chain::ChainModel;
 use super::continuum::{self, Coefficients, LagCoefficients};
 use super::oscillator::{self, OscillatorModel};
+use super::springs::SpringsModel;
 use crate::growth::Growth;
 use crate::placement::PlacementParameters;
 use crate::scene::SpeciesModel;
@@ -38,6 +39,8 @@ pub struct StandModel {
     pub chain: Option<ChainModel>,
     /// What moves it where every plant swings by itself.
     pub oscillator: Option<OscillatorModel>,
+    /// What deforms its billboards.
+    pub springs: Option<SpringsModel>,
 }
 
 impl StandModel {
@@ -49,6 +52,8 @@ impl StandModel {
     /// Whether wind moves it at all.
     pub fn feels_wind(&self) -> bool {
         match (&self.chain, &self.oscillator) {
+            // Its wind asks for no state.
+            _ if self.springs.is_some() => false,
             (Some(chain), _) => chain.coefficients.drag > 0.0,
             (_, Some(oscillator)) => oscillator.coefficients.wind > 0.0,
             _ => self.species.continuum.wind > 0.0,
@@ -60,6 +65,12 @@ impl StandModel {
         if self.oscillator.is_some() { oscillator::ground_of(terrain, self, patch) } else { continuum::ground_of(terrain, self, patch) }
     }
 
+    /// Steps after the last touch of bodies for which a patch stays awake, where plants settle by themselves.
+    pub fn settle(&self) -> Option<u32> {
+        let swings = self.oscillator.as_ref().map(|oscillator| oscillator.coefficients.settle);
+        swings.or_else(|| self.springs.as_ref().map(|springs| springs.settle))
+    }
+
     /// Height that no plant exceeds, m, where they count one by one; else their mean height.
     pub fn reach(&self) -> f64 {
         if self.oscillator.is_some() { f64::from(self.species.height[1]) } else { f64::from(self.coefficients.plant_height) }
@@ -69,6 +80,7 @@ impl StandModel {
     pub fn stores_ground(&self, terrain: &Terrain) -> bool {
         match (&self.chain, &self.oscillator) {
             (Some(_), _) => false,
+            _ if self.springs.is_some() => false,
             (_, Some(_)) => !terrain.is_flat(),
             _ => !self.is_level(terrain),
         }

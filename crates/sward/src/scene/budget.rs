@@ -18,6 +18,9 @@ parameters! {
         /// Blades of one stand with a state of their own at once, where it moves blade by blade: what the patches hold that bodies touch, or of
         /// the response `Chain` those nearest to a focus.
         stateful_blades: u32 = 1048576, "blades" in 1024..=8388608;
+        /// Billboards of one stand that bodies deform at once, or that still recover: beyond them those nearest to having recovered make room, then new
+        /// ones farthest from every focus stay as they are.
+        sheets: u32 = 16384, "sheets" in 64..=1000000;
         /// Steps run at most for one call, to catch up with the clock.
         catch_up: u32 = 4, "steps" in 1..=60;
         /// What plants show beyond the active patches.

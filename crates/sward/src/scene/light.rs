@@ -1,5 +1,6 @@
 //! Sun, sky and air.
 
+use super::environment::Environment;
 use super::parameters::parameters;
 
 parameters! {
@@ -19,5 +20,7 @@ parameters! {
         exposure: f32 = 0.0, "EV" in -8.0..=8.0;
         /// Share of the sky covered by clouds.
         clouds: f32 = 0.4, "" in 0.0..=1.0;
+        /// A picture of the surroundings to take all light from.
+        environment: Option<Environment> = None, "";
     }
 }

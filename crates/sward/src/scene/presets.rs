@@ -7,6 +7,7 @@ use super::continuum::{Continuum, Lag};
 use super::error::{Problem, SceneError, Trail};
 use super::oscillator::{Oscillator, Swinging};
 use super::sheet::Sheet;
+use super::springs::Springs;
 use super::stand::{Representation, Response, Species, Stand};
 
 /// A stand with every default filled in: what the simulation and the picture work with.
@@ -22,6 +23,8 @@ pub struct SpeciesModel {
     pub chain: Option<BladeByBlade>,
     /// How they swing where every plant does by itself.
     pub oscillator: Option<Swinging>,
+    /// How they are deformed where bodies deform billboards.
+    pub springs: Option<Springs>,
     /// How the plants look as billboards.
     pub billboard: Billboard,
     /// How they look as blades, where that is what they are drawn as.
@@ -93,6 +96,10 @@ impl Stand {
                 Some(Response::Oscillator(overrides)) => Some(self.species.oscillator().tuned(overrides, &trail.clone().key("response"))?),
                 _ => None,
             },
+            springs: match &self.response {
+                Some(Response::Springs(overrides)) => Some(self.species.springs().with(overrides)),
+                _ => None,
+            },
             billboard: match &self.representation {
                 Some(Representation::Billboard(overrides)) => billboard.with(overrides),
                 _ => billboard,
@@ -160,6 +167,18 @@ impl Species {
             Self::Tussock => (3.5, 0.30, 2.06),
         };
         Oscillator { frequency, damping, wind, ..Oscillator::default() }
+    }
+
+    /// How billboards of the species are deformed.
+    #[must_use]
+    pub fn springs(&self) -> Springs {
+        let (stiffness, recover) = match self {
+            Self::Lawn => (1.0, 1.5),
+            Self::Meadow => (1.0, 2.5),
+            Self::Reed => (0.9, 4.0),
+            Self::Tussock => (1.0, 1.0),
+        };
+        Springs { stiffness, recover, wind: self.continuum().wind, ..Springs::default() }
     }
 
     /// How the species looks as blades: the billboards' colours, a little lighter, since light and shade are not painted on.

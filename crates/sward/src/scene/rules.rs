@@ -24,7 +24,19 @@ pub(super) fn check(scene: &Scene) -> Checked {
     let wind = Trail::default().key("wind");
     footprints(&scene.wind, &wind)?;
     each(&scene.wind, &wind, |source, trail| wind_source(source, &scene.interactors, trail))?;
-    camera(&scene.camera, &scene.interactors)
+    camera(&scene.camera, &scene.interactors)?;
+    surroundings(scene)
+}
+
+/// An environment is a file.
+fn surroundings(scene: &Scene) -> Checked {
+    match &scene.light.environment {
+        Some(environment) if environment.file.is_empty() => {
+            let place = Trail::default().key("light").key("environment").key("file");
+            Err(Problem::at(place, "`file` is empty").help("name a picture, like \"park.hdr\""))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// No more than the kernels have room for.

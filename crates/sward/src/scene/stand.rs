@@ -7,6 +7,7 @@ use super::continuum::ContinuumOverrides;
 use super::oscillator::OscillatorOverrides;
 use super::parameters::{choices, parameters};
 use super::sheet::SheetOverrides;
+use super::springs::SpringsOverrides;
 
 choices! {
     /// A kind of plant. It gives the defaults of height, response and representation.
@@ -29,6 +30,8 @@ choices! {
         Continuum(ContinuumOverrides),
         /// Every plant swings by itself, pushed aside by bodies: exact at any frame rate, and free of cost until touched.
         Oscillator(OscillatorOverrides),
+        /// Billboards are sheets that any body pushes out of its way, in its true shape; they keep their lengths, and recover.
+        Springs(SpringsOverrides),
         /// Every blade near the camera or a body is a chain of segments on springs, with a state of its own.
         Chain(ChainOverrides),
         /// As `Chain`, but only blades that a body has touched have a state; virtual blades feel the wind for all others.

@@ -63,10 +63,25 @@ pub struct Spot {
     pub tint: f32,
 }
 
-/// Radiance of a blade. `lit`: share of the sun that bodies and plants nearer to it leave.
-pub fn blade(style: &BladeStyle, spot: &Spot, view: Vec3, distance: f32, light: &Light, lit: f32) -> Vec3 {
+/// What of a blade does not depend on light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// What it sends back of light, linear RGB.
+    pub albedo: Vec3,
+    /// Towards the viewer, unit.
+    pub normal: Vec3,
+    /// 0 root ..= 1 tip.
+    pub along: f32,
+    /// How far away it is, 0..=1 where blades melt into the canopy.
+    pub far: f32,
+    /// Share of the sky that neighbours leave.
+    pub open: f32,
+}
+
+/// Colour and normal of a blade at a place.
+pub fn surface(style: &BladeStyle, spot: &Spot, view: Vec3, distance: f32) -> Surface {
     let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
-    let [falloff, ambient_root, silhouette, gone] = style.light;
+    let [_, ambient_root, _, gone] = style.light;
     // Far off only tips are seen: they melt into the canopy's colour.
     let far = smoothstep(0.25 * gone, 0.7 * gone, distance);
     let along = math::clamped(spot.along, 0.0, 1.0);
@@ -85,6 +100,19 @@ pub fn blade(style: &BladeStyle, spot: &Spot, view: Vec3, distance: f32, light: 
         0.80 + 0.40 * (spot.tint * 7.0).fract(),
     );
     let open = mix(ambient_root + along * (1.0 - ambient_root), 0.75, far);
+    Surface { albedo, normal, along, far, open }
+}
+
+/// Radiance of a blade. `lit`: share of the sun that bodies and plants nearer to it leave.
+pub fn blade(style: &BladeStyle, spot: &Spot, view: Vec3, distance: f32, light: &Light, lit: f32) -> Vec3 {
+    shine(style, spot, &surface(style, spot, view, distance), view, light, lit)
+}
+
+/// Radiance of a blade of which the surface is known.
+pub fn shine(style: &BladeStyle, spot: &Spot, surface: &Surface, view: Vec3, light: &Light, lit: f32) -> Vec3 {
+    let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
+    let [falloff, _, silhouette, _] = style.light;
+    let Surface { albedo, normal, along, far, open } = *surface;
     let sun = light.sun_colour * (lit * mix(along.powf(falloff), 0.6, far));
     let facing = normal.dot(light.sun);
     let (front, back) = (math::upper(facing, 0.0), math::upper(-facing, 0.0));

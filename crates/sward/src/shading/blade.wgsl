@@ -17,7 +17,16 @@ struct BladeSpot {
     tint: f32,
 }
 
-fn shading_blade(style: BladeStyle, spot: BladeSpot, view: vec3<f32>, distance: f32, light: ShadingLight, lit: f32) -> vec3<f32> {
+// What of a blade does not depend on light.
+struct BladeSurface {
+    albedo: vec3<f32>,
+    normal: vec3<f32>,
+    along: f32,
+    far: f32,
+    open: f32,
+}
+
+fn shading_blade_surface(style: BladeStyle, spot: BladeSpot, view: vec3<f32>, distance: f32) -> BladeSurface {
     let far = smoothstep(0.25 * style.light.w, 0.7 * style.light.w, distance);
     let along = clamp(spot.along, 0.0, 1.0);
     var normal = normalize(spot.facing + spot.across * (0.55 * spot.side));
@@ -26,6 +35,19 @@ fn shading_blade(style: BladeStyle, spot: BladeSpot, view: vec3<f32>, distance: 
     let shade = 0.80 + 0.40 * fract(spot.tint * 7.0);
     let albedo = shading_leaf(style.root.rgb, style.tip.rgb, mix(along, 0.6, far), dry, spot.patchwork, shade);
     let open = mix(style.light.y + along * (1.0 - style.light.y), 0.75, far);
+    return BladeSurface(albedo, normal, along, far, open);
+}
+
+fn shading_blade(style: BladeStyle, spot: BladeSpot, view: vec3<f32>, distance: f32, light: ShadingLight, lit: f32) -> vec3<f32> {
+    return shading_blade_shine(style, spot, shading_blade_surface(style, spot, view, distance), view, light, lit);
+}
+
+fn shading_blade_shine(style: BladeStyle, spot: BladeSpot, surface: BladeSurface, view: vec3<f32>, light: ShadingLight, lit: f32) -> vec3<f32> {
+    let albedo = surface.albedo;
+    let normal = surface.normal;
+    let along = surface.along;
+    let far = surface.far;
+    let open = surface.open;
     let sun = light.sun_colour * (lit * mix(pow(along, style.light.x), 0.6, far));
     let facing = dot(normal, light.sun);
     let front = max(facing, 0.0);

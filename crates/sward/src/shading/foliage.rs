@@ -52,8 +52,23 @@ pub fn rim(alpha: f32, change: f32, gone: f32, distance: f32) -> f32 {
     fading * ((alpha - 0.5) / change.max(0.02) + 0.5).clamp(0.0, 1.0)
 }
 
-/// Radiance of the leaf that `texel` shows (shade, dryness, facing, 0..=1). `lit`: share of the sun that arrives at the plant.
-pub fn foliage(style: &Style, card: &Card, texel: Vec3, view: Vec3, distance: f32, light: &Light, lit: f32) -> Vec3 {
+/// What of a leaf does not depend on how the sky lights it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// What it sends back of light, linear RGB.
+    pub albedo: Vec3,
+    /// Towards the viewer, unit.
+    pub normal: Vec3,
+    /// How far away it is, 0..=1 where plants melt into the canopy.
+    pub far: f32,
+    /// Share of the sky that neighbours leave.
+    pub open: f32,
+    /// Share of the sun that they leave.
+    pub reached: f32,
+}
+
+/// The leaf that `texel` shows (shade, dryness, facing, 0..=1).
+pub fn surface(style: &Style, card: &Card, texel: Vec3, view: Vec3, distance: f32, light: &Light) -> Surface {
     let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
     let (root, tip) = (Vec4::from(style.root), Vec4::from(style.tip));
     let [sky_at_root, fade, _, gone] = style.mean;
@@ -72,6 +87,12 @@ pub fn foliage(style: &Style, card: &Card, texel: Vec3, view: Vec3, distance: f3
     // Neighbours hide the sky and, with a low sun, the sun from all but the tips.
     let open = mix(mix(mix(sky_at_root, 1.0, along * along.sqrt()), 0.9, card.lying), 0.7, far);
     let reach = 1.0 - along;
-    let through_canopy = mix(mix(exp(-fade * reach * reach / (0.25 + light.sun.y)), 0.9, card.lying), 0.6, far);
-    grass(albedo, normal, view, light, lit * through_canopy, open, tip.w)
+    let reached = mix(mix(exp(-fade * reach * reach / (0.25 + light.sun.y)), 0.9, card.lying), 0.6, far);
+    Surface { albedo, normal, far, open, reached }
+}
+
+/// Radiance of the leaf that `texel` shows (shade, dryness, facing, 0..=1). `lit`: share of the sun that arrives at the plant.
+pub fn foliage(style: &Style, card: &Card, texel: Vec3, view: Vec3, distance: f32, light: &Light, lit: f32) -> Vec3 {
+    let leaf = surface(style, card, texel, view, distance, light);
+    grass(leaf.albedo, leaf.normal, view, light, lit * leaf.reached, leaf.open, style.tip[3])
 }

@@ -39,8 +39,17 @@ fn shading_rim(alpha: f32, change: f32, gone: f32, distance: f32) -> f32 {
     return fading * clamp((alpha - 0.5) / max(change, 0.02) + 0.5, 0.0, 1.0);
 }
 
-// Radiance of the leaf that `texel` shows. `lit`: share of the sun that arrives at the plant.
-fn shading_foliage(species: ShadingSpecies, card: ShadingCard, texel: vec4<f32>, view: vec3<f32>, distance: f32, light: ShadingLight, lit: f32) -> vec3<f32> {
+// What of a leaf does not depend on how the sky lights it.
+struct ShadingSurface {
+    albedo: vec3<f32>,
+    normal: vec3<f32>,
+    far: f32,     // 0 .. 1 where plants melt into the canopy
+    open: f32,    // share of the sky that neighbours leave
+    reached: f32, // share of the sun that they leave
+}
+
+// The leaf that `texel` shows.
+fn shading_surface(species: ShadingSpecies, card: ShadingCard, texel: vec4<f32>, view: vec3<f32>, distance: f32, light: ShadingLight) -> ShadingSurface {
     // Far off only the tops of plants are seen, whatever part of a card covers the pixel: they melt into the canopy's colour.
     let far = smoothstep(0.25 * species.mean.w, 0.7 * species.mean.w, distance);
     // Where a pixel's centre lies outside its triangle, the place is extrapolated: below the root there is no square root.
@@ -55,6 +64,12 @@ fn shading_foliage(species: ShadingSpecies, card: ShadingCard, texel: vec4<f32>,
     // Neighbours hide the sky and, with a low sun, the sun from all but the tips.
     let open = mix(mix(mix(species.mean.x, 1.0, along * sqrt(along)), 0.9, card.lying), 0.7, far);
     let reach = 1.0 - along;
-    let through_canopy = mix(mix(math_exp(-species.mean.y * reach * reach / (0.25 + light.sun.y)), 0.9, card.lying), 0.6, far);
-    return shading_grass(albedo, normal, view, light, lit * through_canopy, open, species.tip.w);
+    let reached = mix(mix(math_exp(-species.mean.y * reach * reach / (0.25 + light.sun.y)), 0.9, card.lying), 0.6, far);
+    return ShadingSurface(albedo, normal, far, open, reached);
+}
+
+// Radiance of the leaf that `texel` shows. `lit`: share of the sun that arrives at the plant.
+fn shading_foliage(species: ShadingSpecies, card: ShadingCard, texel: vec4<f32>, view: vec3<f32>, distance: f32, light: ShadingLight, lit: f32) -> vec3<f32> {
+    let leaf = shading_surface(species, card, texel, view, distance, light);
+    return shading_grass(leaf.albedo, leaf.normal, view, light, lit * leaf.reached, leaf.open, species.tip.w);
 }

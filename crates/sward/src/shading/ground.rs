@@ -60,6 +60,21 @@ pub fn turf(p: Vec2, footprint: f32) -> f32 {
 /// Radiance of the ground at `p` (metres modulo the pattern's period), seen along `view` from `distance` metres. `pixel`: height of one
 /// pixel at distance 1; `lit`: share of the sun that arrives.
 pub fn ground(turf_of: &Turf, p: Vec2, normal: Vec3, view: Vec3, distance: f32, pixel: f32, light: &Light, lit: f32) -> Vec3 {
+    ground_under(turf_of, p, normal, view, distance, pixel, light, lit, light.sky * 0.20)
+}
+
+/// As [`ground`]; `floor`: what white ground between the plants would send back of the sky's light.
+pub fn ground_under(
+    turf_of: &Turf,
+    p: Vec2,
+    normal: Vec3,
+    view: Vec3,
+    distance: f32,
+    pixel: f32,
+    light: &Light,
+    lit: f32,
+    floor: Vec3,
+) -> Vec3 {
     let patchwork = patchwork(p);
     let (root, tip) = (glam::Vec4::from(turf_of.root), glam::Vec4::from(turf_of.tip));
     let [shade, cover, end, _] = turf_of.mean;
@@ -72,17 +87,32 @@ pub fn ground(turf_of: &Turf, p: Vec2, normal: Vec3, view: Vec3, distance: f32, 
     let bare = 1.0 - smoothstep(0.35 * end, 0.9 * end, distance);
     let canopy = canopy(leaf, normal, view, light, lit, tip.w) * (1.0 + (grain - 1.0) * 0.6);
     let litter = Vec3::new(0.060, 0.046, 0.022).lerp(leaf * 0.7, 0.55) * grain;
-    let shaded = litter * (light.sun_colour * (lit * 0.12 * normal.dot(light.sun).max(0.0)) + light.sky * 0.20);
+    let shaded = litter * (light.sun_colour * (lit * 0.12 * normal.dot(light.sun).max(0.0)) + floor);
     (canopy * (1.5 - 0.5 * cover)).lerp(shaded, bare * cover)
 }
 
 /// Radiance of bare earth: `colour` is what it sends back of light. The rest as in [`ground`].
 pub fn earth(colour: Vec3, p: Vec2, normal: Vec3, view: Vec3, distance: f32, pixel: f32, light: &Light, lit: f32) -> Vec3 {
+    earth_under(colour, p, normal, view, distance, pixel, light, lit, light.sky.lerp(light.ground, 0.25) * 0.85)
+}
+
+/// As [`earth`]; `floor`: what white ground would send back of the sky's light.
+pub fn earth_under(
+    colour: Vec3,
+    p: Vec2,
+    normal: Vec3,
+    view: Vec3,
+    distance: f32,
+    pixel: f32,
+    light: &Light,
+    lit: f32,
+    floor: Vec3,
+) -> Vec3 {
     let footprint = distance * pixel / normal.dot(view).max(0.03);
     let grain = turf(p, footprint);
     let broad = 0.80 + 0.40 * noise(p * 0.25, 256, 31);
     let albedo = colour * (broad * (0.45 + 0.55 * grain));
-    albedo * (light.sun_colour * (lit * FRAC_1_PI * normal.dot(light.sun).max(0.0)) + light.sky.lerp(light.ground, 0.25) * 0.85)
+    albedo * (light.sun_colour * (lit * FRAC_1_PI * normal.dot(light.sun).max(0.0)) + floor)
 }
 
 /// How far the rim of bare ground strays at `p`, m: no road has an edge like a ruler's.

@@ -45,6 +45,11 @@ struct ShadingTurf {
 
 // Radiance of the ground at `p` (metres modulo SHADING_PERIOD). `pixel`: height of one pixel at distance 1; `lit`: share of the sun.
 fn shading_ground(turf: ShadingTurf, p: vec2<f32>, normal: vec3<f32>, view: vec3<f32>, distance: f32, pixel: f32, light: ShadingLight, lit: f32) -> vec3<f32> {
+    return shading_ground_under(turf, p, normal, view, distance, pixel, light, lit, light.sky * 0.20);
+}
+
+// The same; `floor_`: what white ground between the plants would send back of the sky's light.
+fn shading_ground_under(turf: ShadingTurf, p: vec2<f32>, normal: vec3<f32>, view: vec3<f32>, distance: f32, pixel: f32, light: ShadingLight, lit: f32, floor_: vec3<f32>) -> vec3<f32> {
     let patchwork = shading_patchwork(p);
     // The longer side of a pixel's print on the ground.
     let footprint = distance * pixel / max(dot(normal, view), 0.03);
@@ -55,17 +60,22 @@ fn shading_ground(turf: ShadingTurf, p: vec2<f32>, normal: vec3<f32>, view: vec3
     let bare = 1.0 - smoothstep(0.35 * turf.mean.z, 0.9 * turf.mean.z, distance);
     let canopy = shading_canopy(leaf, normal, view, light, lit, turf.tip.w) * mix(1.0, grain, 0.6);
     let litter = mix(vec3<f32>(0.060, 0.046, 0.022), leaf * 0.7, 0.55) * grain;
-    let shaded = litter * (light.sun_colour * (lit * 0.12 * max(dot(normal, light.sun), 0.0)) + light.sky * 0.20);
+    let shaded = litter * (light.sun_colour * (lit * 0.12 * max(dot(normal, light.sun), 0.0)) + floor_);
     return mix(canopy * mix(1.5, 1.0, turf.mean.y), shaded, bare * turf.mean.y);
 }
 
 // Radiance of bare earth: `colour` is what it sends back of light. The rest as in shading_ground.
 fn shading_earth(colour: vec3<f32>, p: vec2<f32>, normal: vec3<f32>, view: vec3<f32>, distance: f32, pixel: f32, light: ShadingLight, lit: f32) -> vec3<f32> {
+    return shading_earth_under(colour, p, normal, view, distance, pixel, light, lit, mix(light.sky, light.ground, 0.25) * 0.85);
+}
+
+// The same; `floor_`: what white ground would send back of the sky's light.
+fn shading_earth_under(colour: vec3<f32>, p: vec2<f32>, normal: vec3<f32>, view: vec3<f32>, distance: f32, pixel: f32, light: ShadingLight, lit: f32, floor_: vec3<f32>) -> vec3<f32> {
     let footprint = distance * pixel / max(dot(normal, view), 0.03);
     let grain = shading_turf(p, footprint);
     let broad = 0.80 + 0.40 * shading_noise(p * 0.25, 256, 31u);
     let albedo = colour * (broad * (0.45 + 0.55 * grain));
-    return albedo * (light.sun_colour * (lit * 0.31830987 * max(dot(normal, light.sun), 0.0)) + mix(light.sky, light.ground, 0.25) * 0.85);
+    return albedo * (light.sun_colour * (lit * 0.31830987 * max(dot(normal, light.sun), 0.0)) + floor_);
 }
 
 fn shading_stray_along(p: vec2<f32>, salt: u32) -> f32 {

@@ -8,11 +8,13 @@ pub mod body;
 pub mod clump;
 mod clump_levels;
 pub mod common;
+pub mod environment;
 pub mod foliage;
 pub mod grass;
 pub mod ground;
 pub mod look;
 pub mod sky;
+pub mod volume;
 
 /// Noise, air, tone curve: what all other shading text uses.
 pub const COMMON_WGSL: &str = include_str!("common.wgsl");
@@ -29,4 +31,15 @@ pub const FOLIAGE_WGSL: &str = include_str!("foliage.wgsl");
 pub const BODY_WGSL: &str = include_str!("body.wgsl");
 
 /// All texts in the order they must be joined.
-pub const WGSL: [&str; 7] = [COMMON_WGSL, SKY_WGSL, GRASS_WGSL, GROUND_WGSL, FOLIAGE_WGSL, BODY_WGSL, blade::WGSL];
+pub const WGSL: [&str; 10] = [
+    COMMON_WGSL,
+    SKY_WGSL,
+    GRASS_WGSL,
+    GROUND_WGSL,
+    FOLIAGE_WGSL,
+    BODY_WGSL,
+    blade::WGSL,
+    environment::WGSL,
+    volume::WGSL,
+    volume::lit::WGSL,
+];

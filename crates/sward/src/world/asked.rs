@@ -2,16 +2,18 @@
 
 use super::World;
 use crate::model::StandModel;
-use crate::placement;
+use crate::placement::{self, Plant};
 use crate::plan::{around, weights};
 use crate::response::chain::{self, ChainModel, Standing};
 use crate::response::continuum;
 use crate::response::oscillator::{self, Air, OscillatorModel, Own, Record};
+use crate::response::springs::{SpringsModel, pool, root_of, target_of};
 use crate::state::{PatchKey, StandState, TILE};
 
 impl World {
     /// β \[rad\] of the cell of stand `stand` at a ground position [m from the authored origin]; at rest where the patch sleeps. Of a stand that moves
-    /// blade by blade: of the tip of an upright blade that nobody has touched.
+    /// blade by blade: of the tip of an upright blade that nobody has touched. Of one whose billboards bodies deform: the tilt from foot to tip of the
+    /// billboard of that cell, where none grows of one in the cell's middle.
     /// `None` for an unknown stand. Where a GPU steps, download its cells first: the answer is of the cells held here.
     pub fn bend_at(&self, stand: usize, ground: [f64; 2]) -> Option<[f32; 2]> {
         let (model, state) = (self.model.stands.get(stand)?, self.state.stands.get(stand)?);
@@ -25,6 +27,9 @@ impl World {
         }
         if let Some(oscillator) = &model.oscillator {
             return Some(self.swing(model, oscillator, state, patch, [i as u32, j as u32]));
+        }
+        if let Some(springs) = &model.springs {
+            return Some(self.sheet_tilt(stand, springs, patch, (j * side + i) as u32));
         }
         match state.awake.get(&patch).or_else(|| state.awake.get(&TILE)).and_then(|awake| state.cells.now.get(awake.slot as usize)) {
             Some(cells) => {
@@ -46,6 +51,22 @@ impl World {
         let mut leans = [[0.0; 2]; chain::MOST_SEGMENTS];
         chain::leans(chain, &chain::UPRIGHT, [1.0, 0.0], [0.0; 2], &bends, &mut leans);
         leans[chain.coefficients.segments as usize - 1]
+    }
+
+    /// The tilt from foot to tip of the billboard of a cell; where none grows of one in the cell's middle, in the wind.
+    fn sheet_tilt(&self, index: usize, springs: &SpringsModel, patch: PatchKey, cell: u32) -> [f32; 2] {
+        let (stand, state, co) = (&self.model.stands[index], &self.state.stands[index], &springs.coefficients);
+        let wind = self.wind(stand);
+        let target = |root| target_of(springs, root, &wind, &wind.patch_phases(patch, stand.cells / continuum::NODE_CELLS));
+        let whole = [0, co.sides().1 - 1];
+        let grown = self.grown(index, patch);
+        let Some(root) = root_of(&self.model.terrain, stand, springs, grown.as_deref(), patch, cell) else {
+            let middle = [cell % stand.cells, cell / stand.cells].map(|at| (at as f32 + 0.5) * stand.placement.spacing);
+            let plant = Plant { root: middle, height: stand.species.height[1], yaw: 0.0, tint: 0.0 };
+            return target(&springs.root(&plant, 0.0, [0.0; 2])).tilt(co, whole);
+        };
+        let stored = state.awake.get(&patch).and_then(|awake| pool::stored(co, &state.cells, awake.slot, cell));
+        stored.map_or(target(&root), |stored| pool::load(co, &root, stored).shown(co, &root, &target(&root))).tilt(co, whole)
     }
 
     /// How far the plant of a cell leans that swings by itself \[rad, ground vector\]; in the wind of the cell's middle where none grows. `None` for an

@@ -46,7 +46,8 @@ impl World {
     /// The bodies as solids, of a stand that moves blade by blade; none too high to touch it.
     pub(super) fn solids(&self, stand: &StandModel, moving: &[Vec<[Piece; 2]>]) -> Vec<WorldSolid> {
         let mut solids = Vec::new();
-        let bodies = self.model.bodies.iter().zip(&self.state.bodies).enumerate().filter(|_| stand.chain.is_some());
+        let bodies =
+            self.model.bodies.iter().zip(&self.state.bodies).enumerate().filter(|_| stand.chain.is_some() || stand.springs.is_some());
         for (index, (body, state)) in bodies {
             let (Some(before), Some(now)) = (&state.before, &state.pose) else { continue };
             let pieces: Vec<&Piece> = match body.is_animated() {
@@ -69,7 +70,7 @@ impl World {
     /// Footprints that bodies sweep, in body order, of a stand that moves as a whole. `moving`: pieces of bodies whose own parts move, before and after
     /// the step.
     pub(super) fn footprints(&self, stand: &StandModel, moving: &[Vec<[Piece; 2]>]) -> Vec<Footprint> {
-        if stand.chain.is_some() {
+        if stand.chain.is_some() || stand.springs.is_some() {
             return Vec::new();
         }
         let grid = Grid { spacing: stand.spacing, plant_height: stand.coefficients.plant_height };

@@ -91,6 +91,7 @@ impl Torus {
             edges: Vec::new(),
             pairs: Vec::new(),
             solids: Solids::default(),
+            sheets: Default::default(),
         };
         let level = || vec![vec![0.0_f32; 4 * side * side].into_boxed_slice()];
         let cells = Cells { now: level(), old: level(), ground: vec![Ground::default()], ..Cells::default() };

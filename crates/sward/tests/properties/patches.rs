@@ -48,6 +48,7 @@ impl Sheet {
             edges: Vec::new(),
             pairs: Vec::new(),
             solids: Solids::default(),
+            sheets: Default::default(),
         };
         for footprint in footprints {
             plan.contacts.push(Contact { edge_first: plan.edges.len() as u32, ..footprint.contact });

@@ -10,6 +10,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use crate::arguments;
+use crate::cache::Cache;
 use crate::checkpoint::{self, Checkpoint, Settings};
 use crate::commands::render;
 use crate::console::Console;
@@ -30,7 +31,16 @@ pub(crate) fn run(arguments: &arguments::Render, opened: &Opened, console: &Cons
     let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every(), arguments.resume)?;
     let shots = render::shots(opened, frames, rate, &folder);
     let sequence = Some((folder.clone(), checkpoint));
-    let drawn = render::draw(world, &shots, sequence, None, arguments.size, (arguments.on, arguments.draw), console)?;
+    let drawn = render::draw(
+        world,
+        &shots,
+        sequence,
+        None,
+        arguments.size,
+        (arguments.on, arguments.draw),
+        &Cache::new(&arguments.caching),
+        console,
+    )?;
     let begun = Instant::now();
     let paths: Vec<&Path> = shots.iter().map(render::Shot::path).collect();
     film::write(&paths, arguments.size, rate, (&folder, &file), console)?;

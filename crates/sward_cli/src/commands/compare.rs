@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use sward::response::springs::{SpringsModel, pool};
 use sward::scene::Precision;
 use sward::state::NONE;
 use sward::world::World;
@@ -125,6 +126,11 @@ fn compared(cpu: &World, gpu: &World, agreement: &Agreement) -> Vec<Row> {
                 let parts = states.map_or(&[][..], |states| states).chunks_exact(area).skip(usize::from(upper_half)).step_by(2);
                 return parts.flatten().copied().collect();
             }
+            if let Some(springs) = &model.springs {
+                // Of deformed billboards: vertices, the same list whatever the slot; they have no rate.
+                let first = both.first().is_some_and(|(a, b)| a.slot == slot || b.slot == slot);
+                return if upper_half || !first { Vec::new() } else { vertices(world, index, springs) };
+            }
             let cells = world.state.stands[index].cells.now.get(slot as usize);
             // The last plane of plants that swing by themselves counts steps.
             let end = if model.oscillator.is_some() { half + half / 2 } else { 2 * half };
@@ -154,6 +160,15 @@ fn compared(cpu: &World, gpu: &World, agreement: &Agreement) -> Vec<Row> {
         }
     }
     rows
+}
+
+/// Vertices of all deformed billboards of a stand, m.
+fn vertices(world: &World, stand: usize, springs: &SpringsModel) -> Vec<f32> {
+    let (state, words) = (&world.state.stands[stand], pool::words(&springs.coefficients));
+    let (columns, rows) = springs.coefficients.sides();
+    let sheet = |place: u32| state.cells.sheets.get(place as usize * words..).unwrap_or_default();
+    let taken = state.sheets.pool.taken();
+    taken.flat_map(|(_, place)| sheet(place).iter().take(3 * columns * (rows - 1)).map(|word| f32::from_bits(*word))).collect()
 }
 
 /// The same patches must be awake, and for the same reasons: it is decided in whole numbers. `most` may not, as a share.

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use super::render;
-use crate::arguments::{Draw, Where};
+use crate::arguments::{Caching, Draw, Where};
+use crate::cache::Cache;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::scenes;
@@ -20,7 +21,7 @@ pub(crate) fn run(console: &Console) -> Result<(), Failure> {
     crate::output::picture(Some(&path), SCENE)?;
     let shot = render::single(&opened, None, 30, path.clone());
     let world = opened.world()?;
-    let done = render::draw(world, &[shot], None, None, SIZE, (Where::Auto, Draw::Auto), console)?;
+    let done = render::draw(world, &[shot], None, None, SIZE, (Where::Auto, Draw::Auto), &Cache::new(&Caching::default()), console)?;
     let place = std::path::absolute(&path).unwrap_or(path);
     let [width, height] = SIZE;
     console.summary(&format!(

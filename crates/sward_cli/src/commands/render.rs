@@ -15,6 +15,7 @@ use crate::aov::{Memory, Outputs};
 use crate::arguments::{self, Draw, Where};
 use crate::artist::{self, Artist};
 use crate::backend::Backend;
+use crate::cache::Cache;
 use crate::checkpoint::{Checkpoint, Settings};
 use crate::clip;
 use crate::console::Console;
@@ -104,7 +105,16 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
     if let Some(outputs) = &outputs {
         shots.iter_mut().for_each(|shot| shot.beside = outputs.paths(&shot.path));
     }
-    let done = draw(world, &shots, sequence, outputs.as_ref(), arguments.size, (arguments.on, arguments.draw), console)?;
+    let done = draw(
+        world,
+        &shots,
+        sequence,
+        outputs.as_ref(),
+        arguments.size,
+        (arguments.on, arguments.draw),
+        &Cache::new(&arguments.caching),
+        console,
+    )?;
     let [width, height] = arguments.size;
     let what = match (shots.len(), shots.last()) {
         (1, Some(shot)) => format!("at {:.2} s", (shot.step as f64 - shot.behind) / f64::from(rate)),
@@ -144,13 +154,14 @@ pub(crate) fn draw(
     outputs: Option<&Outputs>,
     size: [u32; 2],
     (on, draw): (Where, Draw),
+    cache: &Cache,
     console: &Console,
 ) -> Result<Done, Failure> {
     let begun = Instant::now();
     let files = |shot: &'_ Shot| [std::slice::from_ref(&shot.path), &shot.beside].concat();
     shots.iter().try_for_each(|shot| files(shot).iter().try_for_each(|file| output::file(file)))?;
     let gpu = artist::adapter(draw, on, console)?;
-    let mut artist = Artist::choose(draw, gpu.as_ref(), &world, size)?;
+    let mut artist = Artist::choose(draw, gpu.as_ref(), &world, size, (cache, console))?;
     let missing: Vec<&Shot> =
         shots.iter().filter(|shot| !sequence.as_ref().is_some_and(|(_, kept)| kept.has(files(shot).iter()))).collect();
     if let (Some((_, checkpoint)), Some(first)) = (&sequence, missing.first()) {

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use sward::response::StandModel;
 use sward::response::chain::ChainModel;
 use sward::response::oscillator::{self, OscillatorModel};
+use sward::response::springs::{SpringsModel, pool};
 use sward::scene::{Flow, Interactor, Path, Precision, Scene, Shape, Terrain, WindSource};
 use sward::state::Root;
 use sward::world::World;
@@ -131,6 +132,9 @@ fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) ->
     if let Some(chain) = &stand.chain {
         return text + &show_blades(world, stand, chain);
     }
+    if let Some(springs) = &stand.springs {
+        return text + &show_springs(world, stand, springs);
+    }
     if let Some(oscillator) = &stand.oscillator {
         return text + &show_swings(world, index, stand, oscillator);
     }
@@ -165,6 +169,26 @@ fn show_strips(text: &mut String, stand: &StandModel) {
         let more = format!("{near}, {middle}, {far} pieces from near to far");
         line(text, "", &format!("{} blade{} a plant, strips of {more}", blade.blades, plural(blade.blades)));
     }
+}
+
+/// How bodies deform the billboards of a stand.
+fn show_springs(world: &World, stand: &StandModel, springs: &SpringsModel) -> String {
+    let mut text = String::new();
+    let co = &springs.coefficients;
+    let (columns, rows) = co.sides();
+    let size =
+        format!("bodies deform sheets of {columns} x {rows} vertices, springs of stiffness {} in {} sweeps", co.stiffness, co.iterations);
+    line(&mut text, "", &size);
+    let lean = sward::wind::equilibrium([4.0, 0.0], springs.wind)[0].to_degrees();
+    let segments = stand.species.segments();
+    let shape = format!("{segments} segment{} a plant", plural(segments));
+    line(&mut text, "", &format!("{shape}; back {} s after a body; tips lean by {lean:.0} degrees in wind of 4 m/s", co.recover));
+    let area = u64::from(stand.cells) * u64::from(stand.cells);
+    let words = pool::words(co) as u64;
+    let total = NUMBER * (words * u64::from(springs.capacity) + area * u64::from(world.scene.budget.patches));
+    let cost = format!("{} bytes a patch and {} a sheet", grouped(NUMBER * area), NUMBER * words);
+    line(&mut text, "", &format!("{cost}; {:.1} MB at most, {} sheets", total as f64 / MEGABYTE, springs.capacity));
+    text
 }
 
 /// How a stand moves in which every plant swings by itself.
@@ -233,6 +257,11 @@ fn plants(world: &World, stand: &StandModel) -> String {
 
 /// Two time levels of β and ω, and slopes and height of the ground where it is not level.
 fn patch_bytes(world: &World, stand: &StandModel, precision: &Precision) -> u64 {
+    if let Some(springs) = &stand.springs {
+        // And its share of the sheets.
+        let sheets = NUMBER * pool::words(&springs.coefficients) as u64 * u64::from(springs.capacity);
+        return NUMBER * u64::from(stand.cells) * u64::from(stand.cells) + sheets / u64::from(world.scene.budget.patches);
+    }
     if let Some(oscillator) = &stand.oscillator {
         let ground = if stand.stores_ground(&world.model.terrain) { 3 } else { 0 };
         let area = stand.cells as usize * stand.cells as usize;

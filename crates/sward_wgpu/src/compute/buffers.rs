@@ -2,11 +2,13 @@
 
 use sward::response::StandModel;
 use sward::response::continuum::half;
+use sward::response::springs::pool;
 use sward::response::{chain, continuum, oscillator};
 use sward::scene::Precision;
 use sward::state::{Awake, Cells, NONE, Root, StandState};
 
 use super::blades::ChainUniform;
+use super::sheets::SheetUniform;
 use super::swings::SwingUniform;
 use crate::gpu::{Gpu, GpuError};
 
@@ -42,6 +44,8 @@ pub struct CellBuffers {
     pub roots: wgpu::Buffer,
     /// How far the plant of each cell has grown, four to a word; where something limits a stand of plants that swing by themselves.
     pub grown: wgpu::Buffer,
+    /// Sheets of deformed billboards, place by place; `now` says whose is where.
+    pub sheets: wgpu::Buffer,
     /// What pictures read of the response, but for the continuum.
     pub numbers: Option<Numbers>,
 }
@@ -52,6 +56,8 @@ pub enum Numbers {
     Chain(wgpu::Buffer),
     /// `SwingStand` of `swing_bends.wgsl`.
     Swing(wgpu::Buffer),
+    /// `SheetStand` of `sheet_bends.wgsl`.
+    Sheet(wgpu::Buffer),
 }
 
 impl Numbers {
@@ -60,6 +66,9 @@ impl Numbers {
         if let Some(chain) = &stand.chain {
             return Some(Self::Chain(made(bytemuck::bytes_of(&ChainUniform::new(stand, chain, 0.0, [0, 0])))));
         }
+        if let Some(springs) = &stand.springs {
+            return Some(Self::Sheet(made(bytemuck::bytes_of(&SheetUniform::new(springs)))));
+        }
         let oscillator = stand.oscillator.as_ref()?;
         Some(Self::Swing(made(bytemuck::bytes_of(&SwingUniform::new(stand, oscillator)))))
     }
@@ -67,7 +76,7 @@ impl Numbers {
     /// The uniform.
     pub fn buffer(&self) -> &wgpu::Buffer {
         match self {
-            Self::Chain(buffer) | Self::Swing(buffer) => buffer,
+            Self::Chain(buffer) | Self::Swing(buffer) | Self::Sheet(buffer) => buffer,
         }
     }
 }
@@ -84,6 +93,8 @@ struct Sizes {
     /// Ground; 0 where none is ever stored.
     ground: u64,
     grown: u64,
+    /// Of a sheet.
+    sheet: u64,
     /// Of a lag slot from here on.
     upper: u64,
     ring: u64,
@@ -96,16 +107,20 @@ impl Sizes {
         if let Some(chain) = &stand.chain {
             let [level, states, upper] = chain::sizes(chain, stand.cells).map(|words| words as u64);
             let roots = u64::from(chain.blades_of_patch(stand.cells)) * (size_of::<Root>() / 4) as u64;
-            return Self { level, before: level, nodes: 0, states, ground: 0, grown: 0, upper, ring: 0, roots };
+            return Self { level, before: level, nodes: 0, states, ground: 0, grown: 0, sheet: 0, upper, ring: 0, roots };
+        }
+        if let Some(springs) = &stand.springs {
+            let sheet = pool::words(&springs.coefficients) as u64;
+            return Self { level: area, before: 0, nodes: 0, states: 0, ground: 0, grown: 0, sheet, upper: 0, ring: 0, roots: 0 };
         }
         if let Some(oscillator) = &stand.oscillator {
             let [level, before] = oscillator::sizes(oscillator, stand.cells).map(|words| words as u64);
             let grown = if stand.growth.is_free() { 0 } else { area / 4 };
-            return Self { level, before, nodes: 0, states: 0, ground: 3 * area, grown, upper: 0, ring: 0, roots: 0 };
+            return Self { level, before, nodes: 0, states: 0, ground: 3 * area, grown, sheet: 0, upper: 0, ring: 0, roots: 0 };
         }
         let nodes = u64::from(stand.cells / 2 + 3) * u64::from(stand.cells / 2 + 3) * 2;
         let [upper, ring] = continuum::lag_planes(&stand.lag).map(|planes| planes as u64 * area);
-        Self { level: 4 * area, before: 4 * area, nodes, states: 0, ground: 3 * area, grown: 0, upper, ring, roots: 0 }
+        Self { level: 4 * area, before: 4 * area, nodes, states: 0, ground: 3 * area, grown: 0, sheet: 0, upper, ring, roots: 0 }
     }
 }
 
@@ -129,7 +144,7 @@ impl CellBuffers {
         let empty = || storage(gpu, "empty", 0);
         Self {
             // Moments and records are never halved.
-            precision: if stand.chain.is_some() || stand.oscillator.is_some() { Precision::Full } else { precision },
+            precision: if stand.chain.is_some() || stand.settle().is_some() { Precision::Full } else { precision },
             cells: stand.cells,
             sizes: Sizes::of(stand),
             slots: 0,
@@ -145,6 +160,7 @@ impl CellBuffers {
             states: empty(),
             roots: empty(),
             grown: empty(),
+            sheets: empty(),
             numbers: Numbers::of(gpu, stand),
         }
     }
@@ -223,6 +239,39 @@ impl CellBuffers {
         Ok([room(slots, self.slots, budget, fits), room(lag_slots, self.lag_slots, lag_budget, lag_fits)])
     }
 
+    /// Makes room for the sheets of a state, keeping what is stored.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn reserve_sheets(&mut self, gpu: &Gpu, state: &StandState) -> Result<(), GpuError> {
+        let wanted = u64::from(state.sheets.pool.used()) * self.sizes.sheet;
+        if wanted * 4 <= self.sheets.size() {
+            return Ok(());
+        }
+        let limit = gpu.device.limits().max_storage_buffer_binding_size / 4;
+        let larger = storage(gpu, "sheets", wanted.next_power_of_two().min(limit));
+        gpu.check()?;
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        encoder.copy_buffer_to_buffer(&self.sheets, 0, &larger, 0, Some(self.sheets.size()));
+        gpu.queue.submit([encoder.finish()]);
+        self.sheets = larger;
+        Ok(())
+    }
+
+    /// Writes the sheets that the CPU holds; returns their bytes.
+    pub fn upload_sheets(&self, gpu: &Gpu, cells: &Cells) -> u64 {
+        let words = if self.sizes.sheet > 0 { (self.sheets.size() / 4).min(cells.sheets.len() as u64) as usize } else { 0 };
+        if words > 0 {
+            gpu.queue.write_buffer(&self.sheets, 0, bytemuck::cast_slice(&cells.sheets[..words]));
+        }
+        4 * words as u64
+    }
+
+    /// Says whose sheet is where in the cells of a slot.
+    pub fn place_sheets(&self, gpu: &Gpu, slot: u32, places: &[f32]) {
+        gpu.queue.write_buffer(&self.now, u64::from(slot) * places.len() as u64 * 4, bytemuck::cast_slice(places));
+    }
+
     fn grow(&mut self, gpu: &Gpu, slots: u32, lag_slots: u32, level: bool) -> Result<(), GpuError> {
         let (sizes, stored, stored_before) = (self.sizes, self.level(), self.level_before());
         let ground_slots = if level { self.ground_slots } else { slots };
@@ -259,7 +308,8 @@ impl CellBuffers {
     /// for nothing else then: [`CellBuffers::reserve`] begins anew.
     pub fn copy_from(&mut self, gpu: &Gpu, other: &Self) {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let pairs = [(&mut self.now, &other.now), (&mut self.old, &other.old), (&mut self.upper, &other.upper)];
+        let pairs =
+            [(&mut self.now, &other.now), (&mut self.old, &other.old), (&mut self.upper, &other.upper), (&mut self.sheets, &other.sheets)];
         for (own, from) in pairs {
             if own.size() != from.size() {
                 *own = storage(gpu, "cells of the picture before", from.size() / 4);
@@ -290,6 +340,7 @@ impl CellBuffers {
             }
             _ => write(buffer, values, slot),
         };
+        self.upload_sheets(gpu, &state.cells);
         for (patch, awake) in &state.awake {
             let dither = half::patch_dither(*patch, 0);
             let (slot, lag) = (awake.slot as usize, awake.lag as usize);

@@ -5,9 +5,11 @@
 
 pub mod blades;
 pub mod buffers;
+pub mod distance_maps;
 pub mod entries;
 pub mod passes;
 pub mod readback;
+pub mod sheets;
 pub mod swings;
 pub mod traffic;
 
@@ -100,6 +102,7 @@ impl GpuStep {
         for (stand, state) in world.model.stands.iter().zip(&world.state.stands) {
             let mut buffers = CellBuffers::new(gpu, stand, precision.clone());
             buffers.reserve(gpu, state, !stand.stores_ground(&world.model.terrain))?;
+            buffers.reserve_sheets(gpu, state)?;
             buffers.upload(gpu, state);
             step.stands.push(buffers);
         }
@@ -121,6 +124,7 @@ impl GpuStep {
         gpu.check()?;
         self.collect(gpu, world, LATENCY - 1)?;
         let plan = world.plan();
+        world.step_sheets(&plan);
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let mut stands = Vec::new();
         for (index, stand) in plan.stands.iter().enumerate() {
@@ -152,6 +156,10 @@ impl GpuStep {
         self.collect(gpu, world, 0)?;
         let World { model, state, .. } = world;
         for ((buffers, stand), state) in self.stands.iter().zip(&model.stands).zip(&mut state.stands) {
+            // Sheets never left.
+            if stand.springs.is_some() {
+                continue;
+            }
             buffers.download(gpu, &mut state.cells)?;
             if let Some(chain) = &stand.chain {
                 state.cells.roots = vec![Box::default(); state.cells.lag.len()];
@@ -227,6 +235,24 @@ impl GpuStep {
             }
             gpu.queue.write_buffer(&cells.ground, u64::from(patch.slot) * bytes.len() as u64, bytes);
             self.work.uploaded += bytes.len() as u64;
+        }
+        if stand.springs.is_some() {
+            cells.reserve_sheets(gpu, state)?;
+            for patch in &plan.sheets.changed {
+                let slot = state.awake.get(patch).map(|awake| awake.slot);
+                if let Some((slot, places)) = slot.and_then(|slot| Some((slot, state.cells.now.get(slot as usize)?))) {
+                    self.work.uploaded += size_of_val(&places[..]) as u64;
+                    cells.place_sheets(gpu, slot, places);
+                }
+            }
+            if !plan.sheets.active.is_empty() {
+                self.work.uploaded += cells.upload_sheets(gpu, &state.cells);
+            }
+            // Nothing to report: a patch sleeps when its sheets have had the time to recover.
+            let bytes = plan.patches.len() as u64 * 4 * u64::from(SUMMARY_WORDS);
+            let nothing = gpu.filled("summaries", &vec![0; bytes.max(16) as usize], wgpu::BufferUsages::COPY_SRC);
+            stands.push(reported(gpu, encoder, plan, &nothing));
+            return Ok(());
         }
         if let (Some(oscillator), Some(passes)) = (&stand.oscillator, &self.swings) {
             for patch in plan.patches.iter().filter(|patch| (patch.woken || patch.edited) && !stand.growth.is_free()) {

@@ -44,7 +44,6 @@ const NONE: u32 = 0xffffffffu;
 @group(0) @binding(1) var<uniform> wind: WindBlock;
 @group(0) @binding(2) var<storage, read> draws: array<PatchDraw>;
 @group(0) @binding(3) var<storage, read> now: array<u32>;
-@group(0) @binding(4) var<storage, read> upper: array<f32>;
 @group(0) @binding(5) var<storage, read> heights: array<f32>;
 @group(0) @binding(6) var<storage, read> tile: array<vec2<f32>>;
 @group(0) @binding(9) var<storage, read> before: array<u32>;

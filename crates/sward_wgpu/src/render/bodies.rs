@@ -4,7 +4,7 @@ use sward::geometry::mesh::{Mesh, Vertex};
 use sward::picture::frame::BodyDraw;
 
 use super::shadow::ShadowMap;
-use super::{PipelineParts, Slot, layout, main_pipeline, shader, shadow_pipeline};
+use super::{PipelineParts, Slot, Surroundings, entries, layout, lit_shader, main_pipeline, shadow_pipeline, slots};
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader, after the common ones.
@@ -47,10 +47,11 @@ pub(crate) struct BodyPass {
 }
 
 impl BodyPass {
-    pub(crate) fn new(gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap) -> Self {
+    pub(crate) fn new(gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, surroundings: Option<&Surroundings>) -> Self {
         let device = &gpu.device;
-        let module = shader(device, "bodies", &PARTS);
-        let main_layout = layout(device, "bodies", &[(0, Slot::Uniform), (2, Slot::ShadowMap), (3, Slot::Comparison), (4, Slot::Storage)]);
+        let module = lit_shader(device, "bodies", &PARTS, surroundings);
+        let own = [(0, Slot::Uniform), (2, Slot::ShadowMap), (3, Slot::Comparison), (4, Slot::Storage)];
+        let main_layout = layout(device, "bodies", &[&own, slots(surroundings)].concat());
         let shadow_layout = layout(device, "body shadows", &[(0, Slot::Uniform), (4, Slot::Storage)]);
         let buffers = [VERTICES];
         let main = main_pipeline(
@@ -85,15 +86,16 @@ impl BodyPass {
             usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
+        let own = [
+            wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&map.view) },
+            wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&map.sampler) },
+            wgpu::BindGroupEntry { binding: 4, resource: instances.as_entire_binding() },
+        ];
         let main_bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("bodies"),
             layout: &main_layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&map.view) },
-                wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&map.sampler) },
-                wgpu::BindGroupEntry { binding: 4, resource: instances.as_entire_binding() },
-            ],
+            entries: &[&own, &entries(surroundings)[..]].concat(),
         });
         let shadow_bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("body shadows"),

@@ -41,7 +41,7 @@ fn bodies_fragment(skin: Skin) -> @location(0) vec4<f32> {
     var normal = normalize(skin.normal);
     normal = normal * select(-1.0, 1.0, dot(normal, view) > 0.0);
     let lit = shadows_soft(shadows_place(skin.place + normal * 0.03, 0.03), 1.5);
-    let colour = shading_body(skin.colour, skin.surface, normal, view, frame_light(), frame.sun.w, lit);
+    let colour = frame_body(skin.colour, skin.surface, normal, view, lit);
     let clear = shading_fog(distance, frame.camera.w);
     return vec4<f32>(mix(frame_air(-view), colour, clear), 1.0);
 }

@@ -1,6 +1,7 @@
 // How plants that move blade by blade are bent: by a state of their own if they have one, else by the virtual blades around them.
 // Twin: picture/prepare.rs.
 
+@group(0) @binding(4) var<storage, read> upper: array<f32>;
 @group(0) @binding(12) var<uniform> chain: ChainStand;
 
 fn steady_load(index: u32) -> vec2<f32> {

@@ -1,5 +1,7 @@
 // How plants of a continuum are bent where they stand. Twin: picture/prepare.rs.
 
+@group(0) @binding(4) var<storage, read> upper: array<f32>;
+
 fn rest_at_plant(draw: PatchDraw, local: vec2<f32>) -> vec2<f32> {
     return wind_equilibrium(air_at_plant(draw, local), prepare.wind_response);
 }

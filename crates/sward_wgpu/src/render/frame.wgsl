@@ -27,8 +27,3 @@ struct Frame {
 fn frame_light() -> ShadingLight {
     return ShadingLight(frame.sun.xyz, frame.sun_colour.rgb, frame.sky.rgb, frame.ground.rgb);
 }
-
-// Colour that the air adds between the eye and far away, by direction of the ray.
-fn frame_air(ray: vec3<f32>) -> vec3<f32> {
-    return shading_air(ray, frame.sun.xyz, frame.sun.w);
-}

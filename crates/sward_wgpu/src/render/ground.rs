@@ -8,7 +8,7 @@ use sward::terrain::Terrain;
 
 use super::bare::BareGround;
 use super::height_samples::HeightSamples;
-use super::{PipelineParts, Slot, layout, main_pipeline, shader};
+use super::{PipelineParts, Slot, Surroundings, entries, layout, lit_shader, main_pipeline, slots};
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader, after the common ones.
@@ -36,6 +36,7 @@ pub(crate) struct GroundPass {
     frame: wgpu::Buffer,
     shadow: (wgpu::TextureView, wgpu::Sampler),
     turf: wgpu::Buffer,
+    surroundings: Option<Surroundings>,
     /// The terrain's samples.
     pub(crate) heights: HeightSamples,
     bare: BareGround,
@@ -47,22 +48,26 @@ pub(crate) struct GroundPass {
 }
 
 impl GroundPass {
-    pub(crate) fn new(gpu: &Gpu, frame: &wgpu::Buffer, shadow: &super::shadow::ShadowMap, relief: &Relief, turf: Turf) -> Self {
+    pub(crate) fn new(
+        gpu: &Gpu,
+        frame: &wgpu::Buffer,
+        shadow: &super::shadow::ShadowMap,
+        surroundings: Option<&Surroundings>,
+        relief: &Relief,
+        turf: Turf,
+    ) -> Self {
         let device = &gpu.device;
-        let module = shader(device, "ground", &PARTS);
-        let layout = layout(
-            device,
-            "ground",
-            &[
-                (0, Slot::Uniform),
-                (1, Slot::Storage),
-                (2, Slot::ShadowMap),
-                (3, Slot::Comparison),
-                (4, Slot::Uniform),
-                (5, Slot::Uniform),
-                (6, Slot::Storage),
-            ],
-        );
+        let module = lit_shader(device, "ground", &PARTS, surroundings);
+        let own = [
+            (0, Slot::Uniform),
+            (1, Slot::Storage),
+            (2, Slot::ShadowMap),
+            (3, Slot::Comparison),
+            (4, Slot::Uniform),
+            (5, Slot::Uniform),
+            (6, Slot::Storage),
+        ];
+        let layout = layout(device, "ground", &[&own, slots(surroundings)].concat());
         let pipeline = main_pipeline(
             device,
             &PipelineParts {
@@ -90,6 +95,7 @@ impl GroundPass {
             frame: frame.clone(),
             shadow: (shadow.view.clone(), shadow.sampler.clone()),
             turf,
+            surroundings: surroundings.cloned(),
             heights,
             bare: BareGround::new(gpu),
             bindings: None,
@@ -119,7 +125,7 @@ impl GroundPass {
             self.bare.words.as_entire_binding(),
         ];
         let entry = |(binding, resource)| wgpu::BindGroupEntry { binding: binding as u32, resource };
-        let entries: Vec<_> = resources.into_iter().enumerate().map(entry).collect();
+        let entries: Vec<_> = resources.into_iter().enumerate().map(entry).chain(entries(self.surroundings.as_ref())).collect();
         gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("ground"), layout: &self.layout, entries: &entries })
     }
 

@@ -55,12 +55,12 @@ fn ground_fragment(point: GroundPoint) -> @location(0) vec4<f32> {
     let normal = normalize(point.normal);
     let p = point.place.xz + frame.phase.xy;
     let lit = shadows_soft(shadows_place(point.place, 0.06), 1.6);
-    var colour = shading_ground(turf, p, normal, view, distance, frame.right.w, frame_light(), lit);
+    var colour = frame_ground(turf, p, normal, view, distance, lit, point.place);
     if growth.count > 0u {
         let blur = distance * frame.right.w / sqrt(max(dot(normal, view), 0.03));
         let bare = growth_bare(point.place.xz + shading_stray(p), blur);
         if bare.w > 0.0 {
-            let earth = shading_earth(bare.rgb / bare.w, p, normal, view, distance, frame.right.w, frame_light(), lit);
+            let earth = frame_earth(bare.rgb / bare.w, p, normal, view, distance, lit, point.place);
             colour = mix(colour, earth, bare.w);
         }
     }

@@ -9,6 +9,7 @@ struct Leaf {
     @location(4) patchwork: vec4<f32>, // shading_patchwork, tint
     @location(5) air: vec4<f32>,    // light the air adds, and what it leaves of the leaf's
     @location(6) @interpolate(flat) layer: u32,
+    @location(7) above: f32,        // height over the root
 }
 
 @vertex
@@ -32,6 +33,7 @@ fn plants_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) in
     let clear = shading_fog(length(away), frame.camera.w);
     leaf.air = vec4<f32>(frame_air(normalize(away)) * (1.0 - clear), clear);
     leaf.layer = plant.layer;
+    leaf.above = bent.place.y - plant.root.y;
     return leaf;
 }
 
@@ -61,6 +63,6 @@ fn plants_fragment(leaf: Leaf) -> @location(0) vec4<f32> {
     let species = ShadingSpecies(style.root, style.tip, style.mean);
     let card = ShadingCard(leaf.across, leaf.facing, leaf.card.z, leaf.card.w, leaf.patchwork.xyz, leaf.patchwork.w);
     let lit = shadows_lit(shadows_place(leaf.place, 0.10), 2.2, SHADING_MEAN_LIT);
-    let colour = shading_foliage(species, card, texel, view, distance, frame_light(), lit);
+    let colour = frame_foliage(species, card, texel, view, distance, lit, leaf.place, leaf.above);
     return vec4<f32>(leaf.air.rgb + colour * leaf.air.a, alpha);
 }

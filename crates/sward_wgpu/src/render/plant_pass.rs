@@ -7,7 +7,7 @@ use sward::shading::look::Style;
 use super::clump_texture::ClumpTexture;
 use super::plants::{Look, MOST_CARDS, MOST_SEGMENTS, PLANTS_PER_INSTANCE, PlantBatch, PlantCount, PlantDraws, index_count};
 use super::shadow::ShadowMap;
-use super::{PipelineParts, Slot, layout, main_pipeline, shader, shadow_pipeline};
+use super::{PipelineParts, Slot, Surroundings, entries, layout, lit_shader, main_pipeline, shadow_pipeline, slots};
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader for cards, after the common ones.
@@ -36,9 +36,10 @@ struct Pipelines {
 }
 
 impl Pipelines {
-    fn new(gpu: &Gpu, parts: &[&str], main_layout: &wgpu::BindGroupLayout, shadow_layout: &wgpu::BindGroupLayout) -> Self {
+    fn new(gpu: &Gpu, parts: &[&str], layouts: [&wgpu::BindGroupLayout; 2], surroundings: Option<&Surroundings>) -> Self {
         let device = &gpu.device;
-        let module = shader(device, "plants", parts);
+        let [main_layout, shadow_layout] = layouts;
+        let module = lit_shader(device, "plants", parts, surroundings);
         let main = main_pipeline(
             device,
             &PipelineParts {
@@ -89,24 +90,27 @@ pub(crate) struct PlantPass {
     shadow_layout: wgpu::BindGroupLayout,
     pub(crate) clumps: ClumpTexture,
     looks: Vec<Look>,
+    surroundings: Option<Surroundings>,
     styles: HashMap<(usize, u32, u32), wgpu::Buffer>,
     indices: HashMap<(u32, u32), wgpu::Buffer>,
 }
 
 impl PlantPass {
-    pub(crate) fn new(gpu: &Gpu, looks: &[Look]) -> Self {
+    pub(crate) fn new(gpu: &Gpu, looks: &[Look], surroundings: Option<&Surroundings>) -> Self {
         let device = &gpu.device;
         let own =
             [(0, Slot::Uniform), (4, Slot::Storage), (5, Slot::Storage), (6, Slot::Uniform), (7, Slot::Pictures), (8, Slot::Filtering)];
         let shadow_layout = layout(device, "plant shadows", &own);
-        let main_layout = layout(device, "plants", &[&own[..], &[(2, Slot::ShadowMap), (3, Slot::Comparison)]].concat());
+        let main_layout =
+            layout(device, "plants", &[&own[..], &[(2, Slot::ShadowMap), (3, Slot::Comparison)], slots(surroundings)].concat());
         Self {
-            cards: Pipelines::new(gpu, &PARTS, &main_layout, &shadow_layout),
+            cards: Pipelines::new(gpu, &PARTS, [&main_layout, &shadow_layout], surroundings),
             sheets: None,
             main_layout,
             shadow_layout,
             clumps: ClumpTexture::new(gpu),
             looks: looks.to_vec(),
+            surroundings: surroundings.cloned(),
             styles: HashMap::new(),
             indices: HashMap::new(),
         }
@@ -119,7 +123,8 @@ impl PlantPass {
         };
         let batches: Vec<(usize, &PlantBatch<'a>)> = draws.batches.iter().enumerate().filter(fits).collect();
         if self.sheets.is_none() && batches.iter().any(|(_, batch)| batch.is_sheet()) {
-            self.sheets = Some(Pipelines::new(gpu, &SHEET_PARTS, &self.main_layout, &self.shadow_layout));
+            let layouts = [&self.main_layout, &self.shadow_layout];
+            self.sheets = Some(Pipelines::new(gpu, &SHEET_PARTS, layouts, self.surroundings.as_ref()));
         }
         ReadyPlants(batches.into_iter().map(|(number, batch)| self.ready_batch(gpu, frame, map, number, *batch)).collect())
     }
@@ -145,6 +150,7 @@ impl PlantPass {
         let mut all = own.to_vec();
         all.push(wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&map.view) });
         all.push(wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&map.sampler) });
+        all.extend(entries(self.surroundings.as_ref()));
         let main = device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("plants"), layout: &self.main_layout, entries: &all });
         Ready { batch, number, main, shadow }
     }

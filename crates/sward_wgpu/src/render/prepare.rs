@@ -4,7 +4,7 @@ use sward::picture::past::Past;
 use sward::picture::plan::Seen;
 pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
 pub use sward::picture::prepare::PrepareUniform;
-use sward::response::{StandModel, chain, oscillation, oscillator};
+use sward::response::{StandModel, chain, oscillation, oscillator, springs};
 use sward::shading::look::Look;
 use sward::state::PatchKey;
 use sward::terrain::Terrain;
@@ -16,6 +16,7 @@ use super::prepare_pipelines::Pipelines;
 pub use super::prepare_pipelines::{Solved, assembled};
 use crate::compute::blades::CHAIN_STAND_WGSL;
 use crate::compute::buffers::{CellBuffers, Numbers};
+use crate::compute::sheets::SHEET_WORDS_WGSL;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
 
@@ -28,6 +29,8 @@ pub enum Bending {
     Chain,
     /// Every plant swings by itself.
     Swing,
+    /// Bodies deform billboards.
+    Sheet,
 }
 
 impl Bending {
@@ -35,6 +38,7 @@ impl Bending {
     pub fn of(stand: &StandModel) -> Self {
         match (&stand.chain, &stand.oscillator) {
             (Some(_), _) => Self::Chain,
+            _ if stand.springs.is_some() => Self::Sheet,
             (_, Some(_)) => Self::Swing,
             _ => Self::Continuum,
         }
@@ -45,6 +49,7 @@ impl Bending {
         match &cells.numbers {
             Some(Numbers::Chain(_)) => Self::Chain,
             Some(Numbers::Swing(_)) => Self::Swing,
+            Some(Numbers::Sheet(_)) => Self::Sheet,
             None => Self::Continuum,
         }
     }
@@ -59,6 +64,11 @@ impl Bending {
         let common = include_str!("bends.wgsl");
         match self {
             Self::Continuum => vec![common, include_str!("continuum_bends.wgsl")],
+            Self::Sheet => {
+                // Pictures push nothing out of bodies.
+                let [vector, sheet, lengths, _, _, _, recover, wind, ..] = springs::WGSL;
+                vec![vector, sheet, lengths, recover, wind, SHEET_WORDS_WGSL, common, include_str!("sheet_bends.wgsl")]
+            }
             Self::Swing => {
                 let [swing, air] = oscillator::POSE_WGSL;
                 vec![oscillation::WGSL, swing, air, common, include_str!("swing_bends.wgsl")]
@@ -223,6 +233,11 @@ impl PreparePass {
         // It has no upper segments.
         entries.retain(|entry| entry.binding != 4 || Bending::of_cells(cells) != Bending::Swing);
         let pipeline = pipelines.of(cells);
+        if Bending::of_cells(cells) == Bending::Sheet {
+            // They have sheets instead, and no time level before.
+            entries.retain(|entry| !matches!(entry.binding, 4 | 9));
+            entries.push(wgpu::BindGroupEntry { binding: 4, resource: cells.sheets.as_entire_binding() });
+        }
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("prepare"),
             layout: &pipeline.get_bind_group_layout(0),

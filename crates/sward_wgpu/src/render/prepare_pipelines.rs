@@ -27,14 +27,14 @@ impl Solved {
         if uniform.is_sheet() { Self::Sheets } else { Self::Spines }
     }
 
-    /// What it needs beside [`Bending::parts`].
-    fn parts(self) -> Vec<&'static str> {
-        match self {
-            Self::Spines => vec![include_str!("spines.wgsl")],
-            Self::Sheets => {
-                let [vector, sheet, lengths, .., wind, _, surface] = springs::WGSL;
-                vec![vector, sheet, lengths, wind, surface, include_str!("sheet_at.wgsl"), include_str!("sheets.wgsl")]
-            }
+    /// What it needs after [`Bending::parts`].
+    fn parts(self, bending: Bending) -> Vec<&'static str> {
+        let [vector, sheet, lengths, .., wind, _, surface] = springs::WGSL;
+        match (self, bending) {
+            (Self::Spines, _) => vec![include_str!("spines.wgsl")],
+            // The bending brings what sheets are.
+            (Self::Sheets, Bending::Sheet) => vec![surface, include_str!("deformed_at.wgsl"), include_str!("sheets.wgsl")],
+            (Self::Sheets, _) => vec![vector, sheet, lengths, wind, surface, include_str!("bent_at.wgsl"), include_str!("sheets.wgsl")],
         }
     }
 }
@@ -52,7 +52,7 @@ pub fn assembled(bending: Bending, solved: Solved) -> String {
         CELLS_WGSL,
         &variants,
     ];
-    [&before[..], &bending.parts(), &solved.parts(), &[include_str!("prepare.wgsl")]].concat().join("\n")
+    [&before[..], &bending.parts(), &solved.parts(bending), &[include_str!("prepare.wgsl")]].concat().join("\n")
 }
 
 /// The pipelines for all that plants become of one kind.
@@ -65,6 +65,8 @@ pub(super) struct Pipelines {
     by_blade: Option<wgpu::ComputePipeline>,
     /// For stands of plants that swing by themselves, where there are any.
     swinging: Option<wgpu::ComputePipeline>,
+    /// For stands whose billboards bodies deform, where there are any.
+    deformed: Option<wgpu::ComputePipeline>,
 }
 
 impl Pipelines {
@@ -77,7 +79,7 @@ impl Pipelines {
         };
         let continuum = module(Bending::Continuum);
         let of = |bending: Bending| bending.is_in(world).then(|| module(bending));
-        let (by_blade, swinging) = (of(Bending::Chain), of(Bending::Swing));
+        let [by_blade, swinging, deformed] = [Bending::Chain, Bending::Swing, Bending::Sheet].map(of);
         let pipeline = |module: &wgpu::ShaderModule, half: f64| {
             gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some("prepare"),
@@ -93,6 +95,7 @@ impl Pipelines {
             half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(&continuum, 1.0)),
             by_blade: by_blade.map(|module| pipeline(&module, 0.0)),
             swinging: swinging.map(|module| pipeline(&module, 0.0)),
+            deformed: deformed.map(|module| pipeline(&module, 0.0)),
         }
     }
 
@@ -101,6 +104,7 @@ impl Pipelines {
         let pipeline = match Bending::of_cells(cells) {
             Bending::Chain => self.by_blade.as_ref(),
             Bending::Swing => self.swinging.as_ref(),
+            Bending::Sheet => self.deformed.as_ref(),
             Bending::Continuum => self.half.as_ref().filter(|_| cells.precision == Precision::Half),
         };
         pipeline.unwrap_or(&self.full)

@@ -1,6 +1,6 @@
 //! The backdrop: air, sun, clouds and the ridges at the edge of the world.
 
-use super::{PipelineParts, Slot, layout, main_pipeline, shader};
+use super::{PipelineParts, Slot, Surroundings, entries, layout, lit_shader, main_pipeline, slots};
 use crate::gpu::Gpu;
 
 /// Files of the pass's shader, after the common ones.
@@ -12,10 +12,10 @@ pub(crate) struct SkyPass {
 }
 
 impl SkyPass {
-    pub(crate) fn new(gpu: &Gpu, frame: &wgpu::Buffer) -> Self {
+    pub(crate) fn new(gpu: &Gpu, frame: &wgpu::Buffer, surroundings: Option<&Surroundings>) -> Self {
         let device = &gpu.device;
-        let module = shader(device, "sky", &PARTS);
-        let layout = layout(device, "sky", &[(0, Slot::Uniform)]);
+        let module = lit_shader(device, "sky", &PARTS, surroundings);
+        let layout = layout(device, "sky", &[&[(0, Slot::Uniform)], slots(surroundings)].concat());
         let pipeline = main_pipeline(
             device,
             &PipelineParts {
@@ -32,7 +32,7 @@ impl SkyPass {
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("sky"),
             layout: &layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() }],
+            entries: &[&[wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() }], &entries(surroundings)[..]].concat(),
         });
         Self { pipeline, bindings }
     }

@@ -19,5 +19,5 @@ fn sky_vertex(@builtin(vertex_index) index: u32) -> SkyPoint {
 @fragment
 fn sky_fragment(point: SkyPoint) -> @location(0) vec4<f32> {
     let ray = normalize(point.ray);
-    return vec4<f32>(shading_backdrop(ray, frame.sun.xyz, frame.sun.w, frame.sun_colour.w, frame.phase.zw), 1.0);
+    return vec4<f32>(frame_backdrop(ray), 1.0);
 }

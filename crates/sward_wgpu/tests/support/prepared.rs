@@ -119,6 +119,23 @@ pub(crate) fn swings_solved(gpu: &Gpu) -> Verdict {
     ensure(judge("untouched", &own_joints, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || "bodies left no track".to_owned())
 }
 
+/// Billboards that bodies deform, as spines: deformed, recovering and free, in gusts.
+pub(crate) fn sheets_bent(gpu: &Gpu) -> Verdict {
+    let text = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: Springs())], wind: [Natural(velocity: (4.0, 2.0))],
+        camera: (eye: (0, 2, -4), target: (0, 0, 6)),
+        interactors: [(shape: Sphere(radius: 0.7), path: Circle(radius: 3.0, speed: 4.0))])";
+    let mut world = World::new(Scene::parse(text, "sheets.ron")?, &sward::model::NoAssets)?;
+    (0..80).for_each(|_| world.step());
+    let tolerance = Tolerance { p999: 5e-5, rms: 1e-2, outlier: 1e-3, share: 4e-4 };
+    let [own_plants, own_joints] = on_cpu(&world, 0.0);
+    let [plants, joints] = on_gpu(gpu, &world, 0.0)?;
+    judge("plants", &own_plants, &plants, &tolerance)?;
+    judge("joints", &own_joints, &joints, &tolerance)?;
+    // Control: as if none had a sheet.
+    world.state.stands[0].cells.now.iter_mut().for_each(|places| places.fill(f32::from_bits(u32::MAX)));
+    ensure(judge("untouched", &own_joints, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || "bodies left no track".to_owned())
+}
+
 /// A road, a house and a hill that rose: plants that are gone, lower, and higher up.
 pub(crate) fn plants_on_edited_ground(gpu: &Gpu) -> Verdict {
     let text = |more: &str| {

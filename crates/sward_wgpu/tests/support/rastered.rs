@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use image::ImageEncoder;
 use libtest_mimic::Failed;
-use sward::model::Folder;
+use sward::model::{Assets, Folder};
 use sward::picture::Picture;
 use sward::scene::Scene;
 use sward::world::World;
@@ -28,8 +29,39 @@ fn difference(a: &Picture, b: &Picture) -> f64 {
     sum / (0.75 * a.rgba8.len() as f64)
 }
 
+/// The files of the repository, and a picture of surroundings made here.
+struct Files(Folder);
+
+impl Assets for Files {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        if path == SURROUNDINGS { Ok(surroundings_hdr()) } else { self.0.read(path) }
+    }
+}
+
+/// Name of that picture.
+const SURROUNDINGS: &str = "made here.hdr";
+
+/// A blue sky that is bright on one side, a low sun there, brown ground; Radiance RGBE.
+fn surroundings_hdr() -> Vec<u8> {
+    let (columns, rows) = (128_u32, 64_u32);
+    let pixel = |at: u32| {
+        let turn = ((at % columns) as f32 + 0.5) / columns as f32 * std::f32::consts::TAU - std::f32::consts::PI;
+        let (level, up) = (((at / columns) as f32 + 0.5) / rows as f32 * std::f32::consts::PI).sin_cos();
+        let direction = [level * turn.cos(), up, level * turn.sin()];
+        let towards = 0.5 + 0.5 * (0.8 * direction[0] + 0.6 * direction[2]);
+        let sun = (0.74 * direction[0] + 0.38 * up + 0.555 * direction[2]) > 0.9985;
+        let sky = if up > 0.0 { [0.4 + 0.8 * towards, 0.6 + 0.5 * towards, 0.9] } else { [0.15, 0.12, 0.08] };
+        if sun { [400.0, 340.0, 240.0] } else { sky }
+    };
+    let pixels: Vec<[f32; 3]> = (0..columns * rows).map(pixel).collect();
+    let mut bytes = Vec::new();
+    let encoder = image::codecs::hdr::HdrEncoder::new(&mut bytes);
+    encoder.write_image(bytemuck::cast_slice(&pixels), columns, rows, image::ExtendedColorType::Rgb32F).expect("written to memory");
+    bytes
+}
+
 fn world_of(scene: Scene, root: PathBuf) -> Result<World, Failed> {
-    Ok(World::new(scene, &Folder(root))?)
+    Ok(World::new(scene, &Files(Folder(root)))?)
 }
 
 /// Compares a shipped scene's default view after `seconds`. Controls: the picture of a quarter of a second later, and that of other
@@ -131,4 +163,24 @@ pub(crate) fn sheets(gpu: &Gpu) -> Verdict {
         scene.stands[0].cells = 128;
     })?;
     same_changed(gpu, "hello", 3.0, |scene| sheets(scene, Some(Response::VirtualInertia(Default::default()))))
+}
+
+/// Light of surroundings, and of the volume among cards, blades, bare ground and bodies.
+pub(crate) fn surroundings(gpu: &Gpu) -> Verdict {
+    let volume = sward::scene::LightVolume { voxel: 1.0, layers: 6, samples: 32, ..Default::default() };
+    let light = |scene: &mut Scene| {
+        scene.light.environment =
+            Some(sward::scene::Environment { file: SURROUNDINGS.to_owned(), strength: 1.0, turn: 0.4, volume: volume.clone() });
+    };
+    same_changed(gpu, "crossing", 3.0, |scene| {
+        light(scene);
+        let [x, _, z] = scene.camera.target;
+        let area = sward::scene::Area::Disc(sward::scene::Disc { at: [x, z], radius: 2.0 });
+        scene.exclusions.push(sward::scene::Exclusion { area, ..Default::default() });
+    })?;
+    same_changed(gpu, "hello", 6.2, |scene| {
+        light(scene);
+        scene.stands[0].representation = Some(sward::scene::Representation::Blade(Default::default()));
+        scene.budget.visible_blades = 60_000;
+    })
 }

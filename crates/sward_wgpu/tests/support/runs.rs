@@ -3,6 +3,7 @@
 use libtest_mimic::Failed;
 use sward::model::Folder;
 use sward::response::chain::{ChainModel, loaded};
+use sward::response::springs::pool;
 use sward::scene::Scene;
 use sward::state::{Awake, NONE, StandState};
 use sward::world::World;
@@ -24,6 +25,8 @@ const BEND: Tolerance = Tolerance { p999: 2e-5, rms: 5e-6, outlier: 1e-3, share:
 const SWING: Tolerance = Tolerance { p999: 2e-5, rms: 1e-4, outlier: 5e-3, share: 1e-4 };
 /// Agreement of their rates, rad/s: sixty times a difference of tilts.
 const SWING_RATE: Tolerance = Tolerance { p999: 1e-3, rms: 5e-3, outlier: 0.2, share: 1e-4 };
+/// Sheets are the core's own on every backend.
+const SHEET: Tolerance = Tolerance { p999: 0.0, rms: 0.0, outlier: 0.0, share: 0.0 };
 /// Agreement of bending velocities, rad/s: sixty times a difference of bends.
 const RATE: Tolerance = Tolerance { p999: 1e-3, rms: 3e-4, outlier: 5e-2, share: 1e-4 };
 /// Agreement of upper segments, rad. Whether a segment bends or recovers is a comparison of two lengths, which are almost equal wherever
@@ -111,6 +114,10 @@ fn cells(world: &World, stand: usize) -> [Vec<f32>; 3] {
     let half = 2 * (world.model.stands[stand].cells * world.model.stands[stand].cells) as usize;
     let state = &world.state.stands[stand];
     let mut found = [Vec::new(), Vec::new(), Vec::new()];
+    if world.model.stands[stand].springs.is_some() {
+        sheets(world, stand, &mut found);
+        return found;
+    }
     for awake in state.awake.values() {
         if let Some(chain) = &world.model.stands[stand].chain {
             blades(state, chain, awake, &mut found);
@@ -132,6 +139,19 @@ fn cells(world: &World, stand: usize) -> [Vec<f32>; 3] {
         }
     }
     found
+}
+
+/// Of a stand whose billboards bodies deform: vertices \[m\], and steps since the last contact.
+fn sheets(world: &World, stand: usize, found: &mut [Vec<f32>; 3]) {
+    let (model, state) = (&world.model.stands[stand], &world.state.stands[stand]);
+    let Some(springs) = &model.springs else { return };
+    let words = pool::words(&springs.coefficients);
+    let (columns, rows) = springs.coefficients.sides();
+    for (_, place) in state.sheets.pool.taken() {
+        let sheet = state.cells.sheets.get(place as usize * words..).and_then(|sheet| sheet.get(..words)).unwrap_or_default();
+        found[0].extend(sheet.iter().take(3 * columns * (rows - 1)).map(|word| f32::from_bits(*word)));
+        found[1].extend(sheet.last().map(|steps| *steps as f32));
+    }
 }
 
 /// Of a stand that moves blade by blade: ψ and ω of virtual blades; ψ, and ω a hundredth, and hold of blades with a state.
@@ -162,7 +182,11 @@ pub(crate) fn agree(name: &str, a: &World, b: &World, loud: bool) -> Verdict {
         };
         ensure(reasons(left) == reasons(right), || format!("{name}: awake {:?} and {:?}", left.awake, right.awake))?;
         let upper = if a.model.stands[index].chain.is_some() { HELD } else { UPPER };
-        let [bend, rate] = if a.model.stands[index].oscillator.is_some() { [SWING, SWING_RATE] } else { [BEND, RATE] };
+        let [bend, rate] = match &a.model.stands[index] {
+            stand if stand.oscillator.is_some() => [SWING, SWING_RATE],
+            stand if stand.springs.is_some() => [SHEET, SHEET],
+            _ => [BEND, RATE],
+        };
         ensure(left.counters == right.counters, || format!("{name}: {:?} and {:?}", left.counters, right.counters))?;
         let parts = cells(a, index).into_iter().zip(cells(b, index)).zip([("bend", bend), ("rate", rate), ("upper", upper)]);
         for ((left, right), (part, tolerance)) in parts {

@@ -9,6 +9,7 @@ use sward::picture::aov::AovUniform;
 use sward::picture::blade_plan::BladeUniform;
 use sward::picture::blades::Blade;
 use sward::picture::frame::FrameUniform;
+use sward::picture::volume::AmbientUniform;
 use sward::placement::PlacementParameters;
 use sward::response::continuum::{Coefficients, LagCoefficients};
 use sward::response::oscillator::OscillatorCoefficients;
@@ -18,7 +19,9 @@ use sward::state::Root;
 use sward::terrain::{TerrainAnchor, TerrainDetail, TerrainGrid};
 use sward::wind::{Footprint, Octave, WindBlock};
 use sward_wgpu::compute::blades::{ChainPatch, ChainUniform};
+use sward_wgpu::compute::distance_maps::MapDraw;
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
+use sward_wgpu::compute::sheets::SheetUniform;
 use sward_wgpu::compute::swings::{SwingPatch, SwingStep, SwingUniform};
 use sward_wgpu::render::plants::Plant;
 use sward_wgpu::render::prepare::{PatchDraw, PrepareUniform};
@@ -173,6 +176,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("Style", text_of("plants"), layout!(Style { root, tip, mean, shape })),
         ("ShadingTurf", text_of("ground"), layout!(Turf { root, tip, mean })),
         ("Frame", text_of("sky"), frame),
+        ("Ambient", text_of("sky in surroundings"), layout!(AmbientUniform { place, shape, disc, horizon })),
         ("Blades", text_of("blades, solved"), blades),
         ("Blade", text_of("blades, solved"), layout!(Blade { root, height, yaw, width, tint, twist, slope, draw, rank })),
         ("BladeStyle", text_of("blades"), layout!(BladeStyle { root, tip, light, shape })),
@@ -187,6 +191,8 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ),
         ("Root", text_of("step blade by blade"), layout!(Root { at, length, yaw, lean, curl, unused, slope, more_unused })),
         ("SolidHead", text_of("step blade by blade"), layout!(SolidHead { first, count, moment, body, low, high, centre, turn, radii })),
+        ("SheetStand", text_of("prepare sheet by sheet"), layout!(SheetUniform { coefficients, wind, width, unused })),
+        ("MapDraw", text_of("distance maps"), layout!(MapDraw { first, winners, size, half, scale })),
         ("SwingStand", text_of("prepare plant by plant"), layout!(SwingUniform { coefficients, patch_side, unused })),
         (
             "OscillatorCoefficients",

@@ -46,6 +46,7 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("solid", vec![math::WGSL, SOLID_STUB, interaction::solid::WGSL]),
         ("springs", [&distance_map[..], &[SPRINGS_STUB], &springs::WGSL].concat()),
         ("distance_map", distance_map),
+        ("raster", vec![math::WGSL, interaction::distance_map::RASTER_WGSL]),
         ("standing", standing.clone()),
         ("held", [&standing[..], &[SOLID_STUB, interaction::solid::WGSL, HELD_STUBS], &chain::HELD_WGSL].concat()),
         ("chain stand", vec![math::WGSL, oscillation::WGSL, chain::WGSL[0], chain::WGSL[1], sward_wgpu::compute::blades::CHAIN_STAND_WGSL]),

@@ -8,13 +8,14 @@ pub(crate) fn assembled() -> Vec<(&'static str, String)> {
     let mut texts = render::assembled();
     texts.push(("step", compute::passes::assembled()));
     for (names, solved) in [
-        (["prepare", "prepare blade by blade", "prepare plant by plant"], Solved::Spines),
-        (["prepare sheets", "prepare sheets blade by blade", "prepare sheets plant by plant"], Solved::Sheets),
+        (["prepare", "prepare blade by blade", "prepare plant by plant", "prepare deformed"], Solved::Spines),
+        (["prepare sheets", "prepare sheets blade by blade", "prepare sheets plant by plant", "prepare deformed sheets"], Solved::Sheets),
     ] {
-        let bendings = [Bending::Continuum, Bending::Chain, Bending::Swing];
+        let bendings = [Bending::Continuum, Bending::Chain, Bending::Swing, Bending::Sheet];
         texts.extend(names.into_iter().zip(bendings.map(|bending| render::prepare::assembled(bending, solved))));
     }
     texts.push(("step plant by plant", compute::swings::assembled()));
+    texts.push(("distance maps", compute::distance_maps::assembled()));
     texts.push(("step blade by blade", compute::blades::assembled()));
     texts
 }

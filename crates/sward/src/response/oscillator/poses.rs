@@ -80,15 +80,22 @@ impl Poses<'_> {
             let stiffness = co.stiffness * (1.0 + co.spreads[0] * either_way(variety & 0xffff));
             let damping = co.damping * (1.0 + co.spreads[1] * either_way(variety >> 16));
             let length = math::upper(co.scale * heights[k], 1e-4);
-            (s.squared[k], s.gamma[k]) = ((stiffness - GRAVITY) / length, damping / (2.0 * length));
+            let over = 1.0 / length;
+            (s.squared[k], s.gamma[k]) = ((stiffness - GRAVITY) * over, 0.5 * damping * over);
         }
         for k in 0..ROW {
             let stamp = stamp[k].to_bits();
             s.steps[k] = (((self.now << 8).wrapping_sub(stamp & !0xff) as i32) >> 8) as f32 - self.behind;
             s.size[k] = (x[k] * x[k] + z[k] * z[k]).sqrt();
-            let own = s.squared[k].sqrt();
-            let bound = math::clamped(rate[k], -own * s.size[k], own * (HALF_PI - s.size[k]));
-            s.rate[k] = either(mask(stamp & 0xff != FREE), bound, rate[k]);
+        }
+        s.rate = *rate;
+        // Seldom has a body left any of a row within its own step.
+        if stamp.iter().any(|stamp| stamp.to_bits() & 0xff != FREE) {
+            for k in 0..ROW {
+                let own = s.squared[k].sqrt();
+                let bound = math::clamped(rate[k], -own * s.size[k], own * (HALF_PI - s.size[k]));
+                s.rate[k] = either(mask(stamp[k].to_bits() & 0xff != FREE), bound, rate[k]);
+            }
         }
         s
     }
@@ -114,20 +121,37 @@ fn swung(s: &Swings, dt: f32) -> Row {
         p.slow[k] = either(over[k] & !critical[k], -(omega_squared / p.fast[k]) * p.tau[k], -gamma[k] * p.tau[k]);
     }
     for k in 0..ROW {
-        (p.sine[k], p.cosine[k]) = math::sin_cos(p.root[k] * p.tau[k]);
-        (p.slow[k], p.fast[k]) = (math::exp(p.slow[k]), math::exp(-p.fast[k] * p.tau[k]));
+        p.slow[k] = math::exp(p.slow[k]);
+    }
+    // Plants of a stand mostly are of one case.
+    if over.contains(&0) {
+        for k in 0..ROW {
+            (p.sine[k], p.cosine[k]) = math::sin_cos(p.root[k] * p.tau[k]);
+        }
+    }
+    if over.iter().any(|over| *over != 0) {
+        for k in 0..ROW {
+            p.fast[k] = math::exp(-p.fast[k] * p.tau[k]);
+        }
     }
     let mut theta = zero;
+    let start = |k: usize| math::clamped(s.size[k], -START_LIMIT, START_LIMIT);
+    let rate = |k: usize| math::clamped(s.rate[k], -START_LIMIT, START_LIMIT);
+    let sways = over.iter().zip(&critical).all(|(over, critical)| over | critical == 0);
+    if sways {
+        for k in 0..ROW {
+            let (c, sine) = (p.slow[k] * p.cosine[k], p.slow[k] * p.sine[k] / p.root[k]);
+            theta[k] = (c + gamma[k] * sine) * start(k) + sine * rate(k);
+        }
+        return theta;
+    }
     for k in 0..ROW {
         let (x, slow, fast, root) = (curve[k], p.slow[k], p.fast[k], p.root[k]);
-        let far = [
-            either(over[k], 0.5 * (slow + fast), slow * p.cosine[k]),
-            either(over[k], 0.5 * (slow - fast) / root, slow * p.sine[k] / root),
-        ];
-        let c = either(critical[k], slow * (1.0 + x * (x / 24.0 - 0.5)), far[0]);
-        let sine = either(critical[k], slow * p.tau[k] * (1.0 + x * (x / 120.0 - 1.0 / 6.0)), far[1]);
-        let start = math::clamped(s.size[k], -START_LIMIT, START_LIMIT);
-        theta[k] = (c + gamma[k] * sine) * start + sine * math::clamped(s.rate[k], -START_LIMIT, START_LIMIT);
+        let c = either(over[k], 0.5 * (slow + fast), slow * p.cosine[k]);
+        let sine = either(over[k], 0.5 * (slow - fast), slow * p.sine[k]) / root;
+        let c = either(critical[k], slow * (1.0 + x * (x / 24.0 - 0.5)), c);
+        let sine = either(critical[k], slow * p.tau[k] * (1.0 + x * (x / 120.0 - 1.0 / 6.0)), sine);
+        theta[k] = (c + gamma[k] * sine) * start(k) + sine * rate(k);
     }
     theta
 }

@@ -30,7 +30,8 @@ impl Own {
         let k = co.stiffness * (1.0 + co.spreads[0] * either(variety & 0xffff));
         let b = co.damping * (1.0 + co.spreads[1] * either(variety >> 16));
         let length = math::upper(co.scale * height, 1e-4);
-        Self { omega_squared: (k - GRAVITY) / length, gamma: b / (2.0 * length) }
+        let over = 1.0 / length;
+        Self { omega_squared: (k - GRAVITY) * over, gamma: 0.5 * b * over }
     }
 }
 
@@ -41,7 +42,7 @@ pub struct Record {
     pub deviation: [f32; 2],
     /// Rate along it, rad/s.
     pub rate: f32,
-    /// The lower 24 bits of the number of steps done when it was so, then a byte: [`FREE`], or how far a body turned it in that step, in 127ths of
+    /// The lower 24 bits of the number of steps done when it was so, then a byte: 128 where no body held it, or how far a body turned it in that step, in 127ths of
     /// the most that it may.
     pub stamp: u32,
 }

@@ -36,7 +36,8 @@ fn swing_own(co: OscillatorCoefficients, variety: u32, height: f32) -> SwingOwn 
     let k = co.stiffness * (1.0 + co.spreads.x * halves.x);
     let b = co.damping * (1.0 + co.spreads.y * halves.y);
     let length_ = max(co.scale * height, 1e-4);
-    return SwingOwn((k - SWING_GRAVITY) / length_, b / (2.0 * length_));
+    let over = 1.0 / length_;
+    return SwingOwn((k - SWING_GRAVITY) * over, 0.5 * b * over);
 }
 
 fn swing_length(v: vec2<f32>) -> f32 {

@@ -15,15 +15,18 @@
 //! | `lay` | what is still in a body lies down; nothing jumps |
 //! | `recover` | back to the wind's pose |
 //! | `step` | one step of one billboard |
+//! | `model`, `stand` | a stand, compiled; its step |
 //! | `pool` | which billboards have a sheet, and how it is stored |
 //! | `surface` | a smooth surface for drawing |
 
 mod lay;
 mod lengths;
+mod model;
 pub mod pool;
 mod push;
 mod recover;
 mod sheet;
+mod stand;
 mod step;
 pub mod surface;
 mod sweep;
@@ -32,9 +35,11 @@ mod wind;
 
 pub use lay::{SPREAD, lay, spread};
 pub use lengths::pass;
+pub use model::SpringsModel;
 pub use push::{Faces, MOST_MOMENTS, Maps, TOLERANCE, TRODDEN, exit, moments, push};
 pub use recover::{recovered, share_left, time_left};
 pub use sheet::{CLEAR, MOST_SIDE, MOST_VERTICES, Sheet, SheetRoot, SpringsCoefficients};
+pub use stand::{root_of, step_stand, target_of};
 pub use step::{HeldSheet, ROUNDS, is_touched, resolve, step};
 pub use sweep::sweep;
 pub use wind::{Wave, pose, sway};

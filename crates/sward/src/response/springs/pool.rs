@@ -4,14 +4,10 @@
 //! touched gets the lowest free place. Where none is free, the sheet nearest to having recovered makes room (of equal ones the lowest billboard); where none
 //! recovers, the new contacts farthest from the focus are refused, and counted. Differs from the paper: billboards, not nodes of a tree.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::sheet::{MOST_VERTICES, Sheet, SheetRoot, SpringsCoefficients};
 use super::step::HeldSheet;
-use crate::state::PatchKey;
-
-/// A billboard: its patch, and its number there.
-pub type Billboard = (PatchKey, u32);
+pub use crate::state::{Billboard, SheetPool};
+use crate::state::{Cells, NONE};
 
 /// Words of a stored sheet: three for each vertex above the roots, one for four ways out, one for the steps since the last contact.
 pub fn words(co: &SpringsCoefficients) -> usize {
@@ -40,6 +36,13 @@ pub fn store(co: &SpringsCoefficients, held: &HeldSheet, to: &mut [u32]) {
     to.iter_mut().zip(points.chain(faces).chain([held.steps])).for_each(|(to, from)| *to = from);
 }
 
+/// The words of the sheet of a billboard, if it has one: cell `index` of the patch whose cells are in `slot`.
+pub fn stored<'a>(co: &SpringsCoefficients, cells: &'a Cells, slot: u32, index: u32) -> Option<&'a [u32]> {
+    let place = cells.now.get(slot as usize)?.get(index as usize)?.to_bits();
+    let words = words(co);
+    if place == NONE { None } else { cells.sheets.get(place as usize * words..)?.get(..words) }
+}
+
 /// Reads a sheet from its words; missing ones are 0.
 pub fn load(co: &SpringsCoefficients, root: &SheetRoot, from: &[u32]) -> HeldSheet {
     let (columns, rows) = co.sides();
@@ -55,87 +58,4 @@ pub fn load(co: &SpringsCoefficients, root: &SheetRoot, from: &[u32]) -> HeldShe
     }
     held.steps = word(3 * count + count.div_ceil(4));
     held
-}
-
-/// Places for sheets, and who has them.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SheetPool {
-    /// Places there are.
-    capacity: u32,
-    /// Who has which.
-    taken: BTreeMap<Billboard, u32>,
-    /// Places that nobody has, of those ever used.
-    free: BTreeSet<u32>,
-    /// Places ever used: those from here on are free too.
-    used: u32,
-    /// Sheets that had to make room before they had recovered.
-    pub evicted: u64,
-    /// Contacts that got none.
-    pub refused: u64,
-}
-
-impl SheetPool {
-    /// A pool of a number of places.
-    pub fn new(capacity: u32) -> Self {
-        Self { capacity, ..Self::default() }
-    }
-
-    /// The place of a billboard's sheet.
-    pub fn place(&self, billboard: Billboard) -> Option<u32> {
-        self.taken.get(&billboard).copied()
-    }
-
-    /// Who has a sheet, and where, in order.
-    pub fn taken(&self) -> impl Iterator<Item = (Billboard, u32)> {
-        self.taken.iter().map(|(billboard, place)| (*billboard, *place))
-    }
-
-    /// A billboard has recovered: its place is free.
-    pub fn release(&mut self, billboard: Billboard) {
-        self.free.extend(self.taken.remove(&billboard));
-    }
-
-    /// Gives places to billboards that something touches: each with its distance from the nearest focus, m. `steps` tells of a place how many
-    /// steps ago its sheet was last touched, 0 in contact. Returns who got one, and where; whoever had one keeps it.
-    pub fn request(&mut self, contacts: &[(Billboard, f32)], steps: impl Fn(u32) -> u32) -> Vec<(Billboard, u32)> {
-        let mut wanted: Vec<(Billboard, f32)> = contacts.iter().filter(|(who, _)| !self.taken.contains_key(who)).copied().collect();
-        wanted.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-        wanted.dedup_by_key(|(who, _)| *who);
-        // Who gives way, the last of these first.
-        let touched: BTreeSet<Billboard> = contacts.iter().map(|(who, _)| *who).collect();
-        let mut leaving: Vec<(u32, Billboard)> = self
-            .taken()
-            .filter(|(who, _)| !touched.contains(who))
-            .map(|(who, place)| (steps(place), who))
-            .filter(|(steps, _)| *steps > 0)
-            .collect();
-        leaving.sort_by(|a, b| a.0.cmp(&b.0).then(b.1.cmp(&a.1)));
-        let mut given = Vec::new();
-        for (who, _) in wanted {
-            if self.taken.contains_key(&who) {
-                continue;
-            }
-            let Some(place) = self.next(&mut leaving) else {
-                self.refused += 1;
-                continue;
-            };
-            self.taken.insert(who, place);
-            given.push((who, place));
-        }
-        given
-    }
-
-    /// A free place, or one that is made free.
-    fn next(&mut self, leaving: &mut Vec<(u32, Billboard)>) -> Option<u32> {
-        if let Some(place) = self.free.pop_first() {
-            return Some(place);
-        }
-        if self.used < self.capacity {
-            self.used += 1;
-            return Some(self.used - 1);
-        }
-        let (_, who) = leaving.pop()?;
-        self.evicted += 1;
-        self.taken.remove(&who)
-    }
 }

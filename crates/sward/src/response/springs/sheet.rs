@@ -132,6 +132,16 @@ impl Sheet {
         sheet
     }
 
+    /// Tilt from upright of the line between the middle vertices of two rows, rad along x and z: what [`direction`] is of.
+    pub fn tilt(&self, co: &SpringsCoefficients, rows: [usize; 2]) -> [f32; 2] {
+        let (columns, most) = co.sides();
+        let [low, high] = rows.map(|row| self.at[row.min(most - 1) * columns + columns / 2]);
+        let [x, y, z] = minus(high, low);
+        let level = (x * x + z * z).sqrt();
+        let share = math::atan2(level, y) / math::upper(level, 1e-9);
+        [x * share, z * share]
+    }
+
     /// Direction of the segment above a vertex, unit.
     #[inline(always)]
     pub(super) fn way(&self, columns: usize, vertex: usize) -> [f32; 3] {

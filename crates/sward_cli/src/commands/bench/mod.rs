@@ -15,6 +15,7 @@ use sward_wgpu::gpu::Gpu;
 use crate::arguments::{self, Machine, Where};
 use crate::artist::{self, Artist};
 use crate::backend::Backend;
+use crate::cache::Cache;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::output;
@@ -40,7 +41,7 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
         world.scene.budget.precision = precision.into();
     }
     let gpu = artist::adapter_by(Gpu::with_clock, arguments.draw, on, console)?;
-    let mut artist = Artist::choose(arguments.draw, gpu.as_ref(), &world, arguments.size)?;
+    let mut artist = Artist::choose(arguments.draw, gpu.as_ref(), &world, arguments.size, (&Cache::new(&arguments.caching), console))?;
     let mut backend = Backend::choose(on, gpu.as_ref(), &world)?;
     if let Some(folder) = &arguments.output {
         output::make_folder(folder)?;
@@ -70,7 +71,7 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
     let mut triad = Triad::new();
     let mut measured = Vec::new();
     // Blades, and plants that swing by themselves, have no cells of which every one is read.
-    if on == Where::Cpu && world.model.stands.iter().all(|stand| stand.chain.is_none() && stand.oscillator.is_none()) {
+    if on == Where::Cpu && world.model.stands.iter().all(|stand| stand.chain.is_none() && stand.settle().is_none()) {
         for pair in 0..PAIRS {
             measured.push(pair_of(&mut world, &mut triad, pair % 2 == 0));
             progress.advance();
@@ -119,8 +120,10 @@ fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Re
     let is_there = |kind: fn(&StandModel) -> bool| world.model.stands.iter().any(kind);
     let by_blade = is_there(|stand| stand.chain.is_some());
     let swinging = is_there(|stand| stand.oscillator.is_some());
-    let continuum = is_there(|stand| stand.chain.is_none() && stand.oscillator.is_none()) || !(by_blade || swinging);
-    let shown = [continuum || swinging, continuum || swinging, continuum, continuum, by_blade, by_blade];
+    let deformed = is_there(|stand| stand.springs.is_some());
+    let continuum = is_there(|stand| stand.chain.is_none() && stand.settle().is_none()) || !(by_blade || swinging || deformed);
+    let felt = continuum || swinging;
+    let shown = [felt, felt || deformed, continuum, continuum, by_blade, by_blade];
     let (mut spent, mut begun) = ([0.0; 6], Instant::now());
     let summaries = world.respond_in_stages(&plan, &mut |stage| {
         spent[stage as usize] += 1e3 * begun.elapsed().as_secs_f64();

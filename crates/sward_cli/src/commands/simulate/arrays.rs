@@ -7,6 +7,7 @@ use sward::response::StandModel;
 use sward::response::chain::{ChainModel, loaded};
 use sward::response::continuum::NODE_CELLS;
 use sward::response::oscillator::Record;
+use sward::response::springs::{SpringsModel, pool};
 use sward::state::{BodyState, PatchKey, Root, StandState};
 use sward::wind::WindField;
 use sward::world::World;
@@ -101,6 +102,9 @@ impl Writer<'_> {
         if model.oscillator.is_some() {
             return self.swings(index, &stem);
         }
+        if let Some(springs) = &model.springs {
+            return self.sheets(index, springs, &stem);
+        }
         let fields =
             [("beta", "bend of each cell, as a vector over the ground", "rad"), ("omega", "bending velocity of each cell", "rad/s")];
         let axes = [("patch", patches), ("cell z", cells), ("cell x", cells), ("x, z", 2)];
@@ -136,6 +140,28 @@ impl Writer<'_> {
             [record.deviation[0], record.deviation[1], record.rate, since]
         });
         self.save(entry, "<f4", &[("patch", patches), ("cell z", cells), ("cell x", cells), ("value", 4)], rows)
+    }
+
+    /// Of a stand whose billboards bodies deform: the sheets.
+    fn sheets(&mut self, index: usize, springs: &SpringsModel, stem: &str) -> Result<(), Failure> {
+        let world = self.world;
+        let (model, state) = (&world.model.stands[index], &world.state.stands[index]);
+        let (columns, rows) = springs.coefficients.sides();
+        let (words, vertices) = (pool::words(&springs.coefficients), columns * (rows - 1));
+        let taken: Vec<_> = state.sheets.pool.taken().collect();
+        let count = taken.len() as u64;
+        let meaning = "billboards that bodies have deformed: patch x and z, number of the cell there, steps since the last contact";
+        let entry = self.entry(&format!("{}/deformed", model.name), &format!("{stem}_deformed"), meaning, "see meaning");
+        let sheet = |place: u32| state.cells.sheets.get(place as usize * words..).and_then(|sheet| sheet.get(..words)).unwrap_or_default();
+        let row = |((patch, cell), place): &(sward::state::Billboard, u32)| {
+            [i64::from(patch[0]), i64::from(patch[1]), i64::from(*cell), sheet(*place).last().map_or(0, |steps| i64::from(*steps))]
+        };
+        self.save(entry, "<i8", &[("billboard", count), ("value", 4)], taken.iter().flat_map(row))?;
+        let meaning = "vertices of their sheets above the root, as bodies left them: x and z from the patch's corner, y absolute";
+        let entry = self.entry(&format!("{}/sheets", model.name), &format!("{stem}_sheets"), meaning, "m");
+        let axes = [("billboard", count), ("row", rows as u64 - 1), ("column", columns as u64), ("x, y, z", 3)];
+        let points = taken.iter().flat_map(|(_, place)| sheet(*place).iter().take(3 * vertices).map(|word| f32::from_bits(*word)));
+        self.save(entry, "<f4", &axes, points)
     }
 
     /// Of a stand that moves blade by blade: its virtual blades, and its blades with a state.

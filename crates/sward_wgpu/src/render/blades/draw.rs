@@ -7,7 +7,7 @@ use sward::picture::blade_plan::{BLADES_PER_INSTANCE, LEVELS};
 use super::BladeDraw;
 use crate::gpu::Gpu;
 use crate::render::shadow::ShadowMap;
-use crate::render::{PipelineParts, Slot, layout, main_pipeline, shader, shadow_pipeline};
+use crate::render::{PipelineParts, Slot, Surroundings, entries, layout, lit_shader, main_pipeline, shadow_pipeline, slots};
 
 /// Files of the passes' shader, after the common ones and [`super::constants`].
 pub(crate) const PARTS: [&str; 4] =
@@ -34,18 +34,20 @@ pub(crate) struct BladePass {
     shadow: wgpu::RenderPipeline,
     main_layout: wgpu::BindGroupLayout,
     shadow_layout: wgpu::BindGroupLayout,
+    surroundings: Option<Surroundings>,
     /// By number of pieces.
     indices: HashMap<u32, wgpu::Buffer>,
 }
 
 impl BladePass {
-    pub(crate) fn new(gpu: &Gpu) -> Self {
+    pub(crate) fn new(gpu: &Gpu, surroundings: Option<&Surroundings>) -> Self {
         let device = &gpu.device;
         let constants = super::constants();
-        let module = shader(device, "blades", &[&[constants.as_str()], &PARTS[..]].concat());
+        let module = lit_shader(device, "blades", &[&[constants.as_str()], &PARTS[..]].concat(), surroundings);
         let own = [(0, Slot::Uniform), (4, Slot::Storage), (5, Slot::Storage), (6, Slot::Uniform)];
         let shadow_layout = layout(device, "blade shadows", &own);
-        let main_layout = layout(device, "blades", &[&own[..], &[(2, Slot::ShadowMap), (3, Slot::Comparison)]].concat());
+        let main_layout =
+            layout(device, "blades", &[&own[..], &[(2, Slot::ShadowMap), (3, Slot::Comparison)], slots(surroundings)].concat());
         let parts = |label, layout, vertex, fragment, coverage| PipelineParts {
             label,
             module: &module,
@@ -58,7 +60,7 @@ impl BladePass {
         };
         let main = main_pipeline(device, &parts("blades", &main_layout, "blades_vertex", Some("blades_fragment"), true));
         let shadow = shadow_pipeline(device, &parts("blade shadows", &shadow_layout, "blades_shadow_vertex", None, false));
-        Self { main, shadow, main_layout, shadow_layout, indices: HashMap::new() }
+        Self { main, shadow, main_layout, shadow_layout, surroundings: surroundings.cloned(), indices: HashMap::new() }
     }
 
     /// Makes what the stands need.
@@ -81,7 +83,7 @@ impl BladePass {
                     wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&map.view) },
                     wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&map.sampler) },
                 ];
-                let main = bound("blades", &self.main_layout, &[&own[..], &map].concat());
+                let main = bound("blades", &self.main_layout, &[&own[..], &map, &entries(self.surroundings.as_ref())].concat());
                 levels.push(Level { filled, style, number: level, pieces, main, shadow });
             }
         }

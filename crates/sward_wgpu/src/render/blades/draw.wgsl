@@ -9,6 +9,7 @@ struct BladePoint {
     @location(4) patchwork: vec3<f32>,
     @location(5) ground: vec3<f32>,    // normal at the root
     @location(6) air: vec4<f32>,       // light the air adds, and what it leaves of the blade's
+    @location(7) above: f32,           // height over the root
 }
 
 @vertex
@@ -27,6 +28,7 @@ fn blades_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) in
     point.spot = vec4<f32>(corner.side, corner.along, corner.cover, head.tint);
     point.patchwork = shading_patchwork(head.root.xz + frame.phase.xy);
     point.ground = normalize(vec3<f32>(-head.slope.x, 1.0, -head.slope.y));
+    point.above = corner.place.y - head.root.y;
     let away = corner.place - frame.camera.xyz;
     let clear = shading_fog(length(away), frame.camera.w);
     point.air = vec4<f32>(frame_air(normalize(away)) * (1.0 - clear), clear);
@@ -39,7 +41,7 @@ fn blades_fragment(point: BladePoint) -> @location(0) vec4<f32> {
     let distance = length(to_eye);
     let spot = BladeSpot(point.facing, point.across, point.spot.x, point.spot.y, point.ground, point.patchwork, point.spot.w);
     let lit = shadows_lit(shadows_place(point.place, 0.10), 2.2, SHADING_MEAN_LIT);
-    let colour = shading_blade(style, spot, to_eye / max(distance, 1e-9), distance, frame_light(), lit);
+    let colour = frame_blade(style, spot, to_eye / max(distance, 1e-9), distance, lit, point.place, point.above);
     return vec4<f32>(point.air.rgb + colour * point.air.a, point.spot.z);
 }
 

@@ -26,11 +26,12 @@ pub fn constants() -> String {
 }
 
 /// Every text of these passes that is not a drawing shader, with its name.
-pub fn assembled() -> [(&'static str, String); 4] {
+pub fn assembled() -> [(&'static str, String); 5] {
     [
         ("blades, solved", solve::assembled(Bending::Continuum)),
         ("blades, solved blade by blade", solve::assembled(Bending::Chain)),
         ("blades, solved plant by plant", solve::assembled(Bending::Swing)),
+        ("blades, solved sheet by sheet", solve::assembled(Bending::Sheet)),
         ("blades, counted", solve::finish()),
     ]
 }

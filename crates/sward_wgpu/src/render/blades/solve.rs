@@ -77,11 +77,11 @@ impl BladeBuffers {
 /// The pipelines.
 pub struct SolvePass {
     /// Of each [`Bending`]. Made when first asked for, as are the pipelines.
-    modules: [OnceLock<wgpu::ShaderModule>; 3],
+    modules: [OnceLock<wgpu::ShaderModule>; 4],
     /// Of all passes that solve, likewise.
     layouts: [(wgpu::BindGroupLayout, wgpu::PipelineLayout); 2],
     /// Each of [`ENTRIES`], of a continuum at full and at half precision, then of each other [`Bending`].
-    solve: [[OnceLock<wgpu::ComputePipeline>; 3]; 4],
+    solve: [[OnceLock<wgpu::ComputePipeline>; 3]; 5],
     finish: wgpu::ComputePipeline,
 }
 
@@ -194,7 +194,7 @@ impl SolvePass {
             (1, &wind),
             (2, &draws),
             (3, &cells.now),
-            (4, &cells.upper),
+            (4, if bending == Bending::Sheet { &cells.sheets } else { &cells.upper }),
             (5, shared.heights()),
             (6, &shared.tile),
             (7, records),
