@@ -18,6 +18,7 @@ fn main() -> std::process::ExitCode {
         ("blades", rastered::blades),
         ("footsteps", rastered::footsteps),
         ("sheets", rastered::sheets),
+        ("deformed_sheets", rastered::deformed_sheets),
         ("surroundings", rastered::surroundings),
     ];
     adapter::run(tests, |_, _| None)

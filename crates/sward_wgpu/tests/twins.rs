@@ -80,6 +80,7 @@ fn main() -> std::process::ExitCode {
         ("sheets_stay_above_ground", prepared::sheets_stay_above_ground),
         ("sheet_runs", sheets::run),
         ("sheets_bent", prepared::sheets_bent),
+        ("deformed_sheets_solved", prepared::deformed_sheets_solved),
         ("distance_maps", distance_maps::solids),
         ("distance_maps_of_figures", distance_maps::figures),
         ("springs_contacts", springs::contacts),

@@ -6,7 +6,7 @@ use super::chain::{BladeByBlade, Chain, DragPower};
 use super::continuum::{Continuum, Lag};
 use super::error::{Problem, SceneError, Trail};
 use super::oscillator::{Oscillator, Swinging};
-use super::sheet::Sheet;
+use super::sheet::{Sheet, SheetOverrides};
 use super::springs::Springs;
 use super::stand::{Representation, Response, Species, Stand};
 
@@ -77,6 +77,19 @@ impl Stand {
     /// The same, with errors that know the way to this stand.
     pub(super) fn resolve_at(&self, trail: &Trail) -> Result<SpeciesModel, Problem> {
         let (continuum, billboard) = (self.species.continuum(), self.species.billboard());
+        let springs = match &self.response {
+            Some(Response::Springs(overrides)) => Some(self.species.springs().with(overrides)),
+            _ => None,
+        };
+        let sheet = match (&self.representation, &springs) {
+            (Some(Representation::Sheet(overrides)), None) => Some(self.species.sheet().with(overrides)),
+            (Some(Representation::Sheet(overrides)), Some(springs)) => {
+                Some(self.species.sheet().of_springs(springs, overrides, &trail.clone().key("representation"))?)
+            }
+            // What bodies deform is drawn as they leave it.
+            (None, Some(springs)) => Some(self.species.sheet().of_springs(springs, &SheetOverrides::default(), trail)?),
+            _ => None,
+        };
         Ok(SpeciesModel {
             name: self.label(),
             height: self.height.unwrap_or_else(|| self.species.height()),
@@ -96,10 +109,7 @@ impl Stand {
                 Some(Response::Oscillator(overrides)) => Some(self.species.oscillator().tuned(overrides, &trail.clone().key("response"))?),
                 _ => None,
             },
-            springs: match &self.response {
-                Some(Response::Springs(overrides)) => Some(self.species.springs().with(overrides)),
-                _ => None,
-            },
+            springs,
             billboard: match &self.representation {
                 Some(Representation::Billboard(overrides)) => billboard.with(overrides),
                 _ => billboard,
@@ -108,10 +118,7 @@ impl Stand {
                 Some(Representation::Blade(overrides)) => Some(self.species.blade().with(overrides)),
                 _ => None,
             },
-            sheet: match &self.representation {
-                Some(Representation::Sheet(overrides)) => Some(self.species.sheet().with(overrides)),
-                _ => None,
-            },
+            sheet,
         })
     }
 }

@@ -72,7 +72,7 @@ parameters! {
         slope: Option<[f32; 2]> = None, "" in 0.0..=100.0;
         /// How the plants move, where it differs from the species.
         response: Option<Response> = None, "";
-        /// How the plants look, where it differs from the species.
+        /// How the plants look, where it differs from the species. With response `Springs` they are sheets unless this says otherwise.
         representation: Option<Representation> = None, "";
     }
 }

@@ -33,6 +33,11 @@ pub(crate) fn sheet_pass() -> String {
     CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Sheet(),")
 }
 
+/// The same pass through billboards that bodies deform, drawn as the sheets they are.
+pub(crate) fn deformed_pass() -> String {
+    CAR_PASS.replace("species: Meadow,", "species: Meadow, response: Springs(),")
+}
+
 /// Size of the pictures, pixels.
 pub(crate) const SIZE: [u32; 2] = [320, 180];
 /// The two frames, of 24 a second: whole steps, and how far before that the frame lies.

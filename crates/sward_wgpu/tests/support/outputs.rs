@@ -11,7 +11,7 @@ use sward_wgpu::studio::{CellsAt, Studio};
 
 use crate::adapter::{Verdict, ensure};
 use crate::edited;
-use crate::reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, sheet_pass, world};
+use crate::reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, deformed_pass, sheet_pass, world};
 use crate::verdicts;
 
 /// The worlds of both frames, stepped on the CPU.
@@ -51,6 +51,17 @@ pub(crate) fn sheets_are_followed(gpu: &Gpu) -> Verdict {
     let worlds = worlds_of(&sheet_pass());
     let frames = on_gpu(gpu, &worlds)?;
     Ok(verdicts::sheet_pass(&Pair::new(worlds, frames))?)
+}
+
+/// The same of billboards that bodies deform.
+pub(crate) fn deformed_sheets_are_followed(gpu: &Gpu) -> Verdict {
+    let worlds = worlds_of(&deformed_pass());
+    let frames = on_gpu(gpu, &worlds)?;
+    Ok(verdicts::sheet_pass(&Pair::new(worlds, frames))?)
+}
+
+pub(crate) fn outputs_of_deformed_sheets_agree(gpu: &Gpu) -> Verdict {
+    passes_agree(gpu, "deformed sheets", &deformed_pass())
 }
 
 pub(crate) fn outputs_of_blades_agree(gpu: &Gpu) -> Verdict {

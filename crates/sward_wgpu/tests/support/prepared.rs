@@ -121,8 +121,9 @@ pub(crate) fn swings_solved(gpu: &Gpu) -> Verdict {
 
 /// Billboards that bodies deform, as spines: deformed, recovering and free, in gusts.
 pub(crate) fn sheets_bent(gpu: &Gpu) -> Verdict {
-    let text = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: Springs())], wind: [Natural(velocity: (4.0, 2.0))],
-        camera: (eye: (0, 2, -4), target: (0, 0, 6)),
+    let text =
+        "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: Springs(), representation: Billboard())],
+        wind: [Natural(velocity: (4.0, 2.0))], camera: (eye: (0, 2, -4), target: (0, 0, 6)),
         interactors: [(shape: Sphere(radius: 0.7), path: Circle(radius: 3.0, speed: 4.0))])";
     let mut world = World::new(Scene::parse(text, "sheets.ron")?, &sward::model::NoAssets)?;
     (0..80).for_each(|_| world.step());
@@ -134,6 +135,34 @@ pub(crate) fn sheets_bent(gpu: &Gpu) -> Verdict {
     // Control: as if none had a sheet.
     world.state.stands[0].cells.now.iter_mut().for_each(|places| places.fill(f32::from_bits(u32::MAX)));
     ensure(judge("untouched", &own_joints, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || "bodies left no track".to_owned())
+}
+
+/// Billboards that bodies deform, as the sheets they are: deformed, recovering and free, in gusts on a hill; near, thinned out and plain.
+pub(crate) fn deformed_sheets_solved(gpu: &Gpu) -> Verdict {
+    for response in ["", "columns: 2, rows: 9, recover: 1", "columns: 4, rows: 2"] {
+        let text = format!(
+            "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: Springs({response}))],
+            wind: [Natural(velocity: (4.0, 2.0))], camera: (eye: (0, 2, -4), target: (0, 0, 6)), budget: (visible_plants: 20000),
+            edits: [(at: (3, 3), radius: 6, change: Raise(height: 1.2))],
+            interactors: [(shape: Sphere(radius: 0.7), path: Circle(radius: 3.0, speed: 4.0))])"
+        );
+        let mut world = World::new(Scene::parse(&text, "sheets.ron")?, &sward::model::NoAssets)?;
+        (0..80).for_each(|_| world.step());
+        let tolerance = Tolerance { p999: 5e-5, rms: 1e-2, outlier: 1e-3, share: 4e-4 };
+        let own = on_cpu(&world, 0.0)[1].clone();
+        for behind in [0.0, 0.4] {
+            let [plants, points] = on_gpu(gpu, &world, behind)?;
+            let [own_plants, earlier] = on_cpu(&world, behind);
+            judge("plants", &own_plants, &plants, &tolerance)?;
+            judge(&format!("{response}: points"), &earlier, &points, &tolerance)?;
+            let other = judge("another moment", &own, &earlier, &tolerance).is_err();
+            ensure(other == (behind > 0.0), || format!("{behind} steps before the state"))?;
+        }
+        // Control: as if none had a sheet.
+        world.state.stands[0].cells.now.iter_mut().for_each(|places| places.fill(f32::from_bits(u32::MAX)));
+        ensure(judge("untouched", &own, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || "bodies left no track".to_owned())?;
+    }
+    Ok(())
 }
 
 /// A road, a house and a hill that rose: plants that are gone, lower, and higher up.
