@@ -53,6 +53,7 @@ struct Embedded;
 const FILES: &[(&str, &[u8])] = &[
     ("assets/jacksboro.png", include_bytes!("../../../assets/jacksboro.png")),
     ("assets/jacksboro.toml", include_bytes!("../../../assets/jacksboro.toml")),
+    ("assets/torus.glb", include_bytes!("../../../assets/torus.glb")),
     ("assets/walker.glb", include_bytes!("../../../assets/walker.glb")),
 ];
 

@@ -5,11 +5,10 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::plants::PLANTS_PER_INSTANCE;
-use crate::model::in_field;
 use crate::plan::{around, weights};
 use crate::response::StandModel;
 use crate::shading::look::Look;
-use crate::state::{NONE, PatchKey, StandState};
+use crate::state::{NONE, PatchKey, StandState, in_field};
 use crate::terrain::TerrainAnchor;
 use crate::view::View;
 use crate::world::World;

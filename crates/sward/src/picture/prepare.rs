@@ -9,9 +9,9 @@ use super::identity;
 use super::plan::{FULL_CELLS, PatchDraw, Seen, THINNING, bits};
 use super::plants::Plant;
 use super::sheets::Rooted;
-use crate::geometry::billboard::{CLEARANCE, earlier, segment};
+use crate::geometry::billboard::{CLEARANCE, earlier, leaning, segment};
 use crate::math;
-use crate::placement::{self, PlacementParameters, Plant as Placed};
+use crate::placement::{self, Growing, PlacementParameters, Plant as Placed};
 use crate::response::StandModel;
 use crate::response::chain::{self, ChainModel, HeldBlade, Standing};
 use crate::response::oscillator::{self, Air, OscillatorCoefficients, Own, Record};
@@ -144,6 +144,8 @@ pub(super) struct Who {
     pub(super) lean: f32,
     /// How much more at the tip, rad.
     pub(super) curl: f32,
+    /// How its plant leans by itself, rad along x and z.
+    pub(super) plant: [f32; 2],
 }
 
 /// Cell at a place of the drawing order: bit-reversed Morton, so that any first part of the order is spread evenly.
@@ -226,7 +228,7 @@ impl Preparing<'_> {
     }
 
     /// The growth map of a patch, if it needs one.
-    pub fn growth(&self, draw: &PatchDraw) -> Option<Box<[u8]>> {
+    pub fn growth(&self, draw: &PatchDraw) -> Option<Box<[Growing]>> {
         self.stand.growth_map(self.terrain, draw.patch)
     }
 
@@ -308,7 +310,7 @@ impl Preparing<'_> {
     /// The same where bodies deform billboards: as the middle of the billboard's sheet bends.
     fn sheet_bends(&self, springs: &SpringsModel, draw: &PatchDraw, phases: &Phases, who: &Who, bends: &mut [[f32; 2]]) {
         let (height, slope) = self.terrain.height_and_gradient(draw.anchor, who.local);
-        let plant = Placed { root: who.local, height: who.tall, yaw: who.yaw, tint: 0.0 };
+        let plant = Placed { root: who.local, height: who.tall, yaw: who.yaw, tint: 0.0, lean: who.plant };
         let root = springs.root(&plant, height, slope);
         let target = springs::target_of(springs, &root, self.wind, phases);
         let (co, area) = (&springs.coefficients, self.uniform.placement.cells * self.uniform.placement.cells);
@@ -317,7 +319,8 @@ impl Preparing<'_> {
         let (rows, count) = (co.sides().1, bends.len());
         for (segment, bend) in bends.iter_mut().enumerate() {
             let row = (segment * (rows - 1) + (rows - 1) / 2) / count.max(1);
-            *bend = sheet.tilt(co, [row, row + 1]);
+            let [x, z] = sheet.tilt(co, [row, row + 1]);
+            *bend = [x - who.plant[0], z - who.plant[1]];
         }
     }
 
@@ -337,7 +340,14 @@ impl Preparing<'_> {
         }
     }
 
-    fn prepare_plant(&self, draw: &PatchDraw, phases: &Phases, growth: Option<&[u8]>, rank: u32, joints: &mut [[f32; 4]]) -> Option<Plant> {
+    fn prepare_plant(
+        &self,
+        draw: &PatchDraw,
+        phases: &Phases,
+        growth: Option<&[Growing]>,
+        rank: u32,
+        joints: &mut [[f32; 4]],
+    ) -> Option<Plant> {
         let prepare = &self.uniform;
         let cell = ordered_cell(rank, prepare.bits);
         if cell.iter().any(|at| *at >= prepare.placement.cells) {
@@ -362,7 +372,9 @@ impl Preparing<'_> {
         let height = placed.height * (0.35 + (1.0 - 0.35) * stay);
         let straight = if prepare.plain > 0.0 { math::smoothstep(0.75 * prepare.plain, 0.97 * prepare.plain, away) } else { 0.0 };
         let index = cell[1] * prepare.placement.cells + cell[0];
-        let who = Who { local: placed.root, tall: placed.height, index, heading: [1.0, 0.0], yaw: 0.0, lean: 0.0, curl: 0.0 };
+        let (yaw, lean) = placement::combed(0.0, 0.0, placed.lean);
+        let (sine, cosine) = math::sin_cos(yaw);
+        let who = Who { local: placed.root, tall: placed.height, index, heading: [cosine, sine], yaw, lean, curl: 0.0, plant: placed.lean };
         let width = prepare.width * (0.8 + 0.4 * (placed.tint * 17.3).fract()) * (1.0 / thin.sqrt()).min(2.2) * (0.5 + 0.5 * stay);
         if prepare.is_sheet() {
             self.sheet(draw, phases, &Rooted { who, ground, height, straight, yaw: placed.yaw, width }, joints);
@@ -394,7 +406,7 @@ impl Preparing<'_> {
         let bends = &mut bends[..segments.min(8)];
         self.bends(draw, phases, who, bends);
         for (at, bend) in bends.iter().enumerate() {
-            local += Vec3::from(segment(*bend, length));
+            local += Vec3::from(segment(leaning(*bend, who.plant), length));
             local.y = math::upper(local.y, floor(local));
             spine[at + 1] = local;
         }

@@ -11,6 +11,7 @@
 use super::plan::PatchDraw;
 use super::prepare::{Preparing, Who};
 use super::sheets::Rooted;
+use crate::geometry::billboard::leaning;
 use crate::math;
 use crate::response::springs::{Sheet, SheetRoot, SpringsCoefficients, SpringsModel, pool, pose, target_of};
 use crate::wind::Phases;
@@ -32,7 +33,7 @@ impl Preparing<'_> {
             let local = [0, 1].map(|axis| math::clamped(plant.who.local[axis] + side * root.half_width[axis], 0.0, patch_side));
             let mut bends = [[0.0; 2]; 8];
             self.bends(draw, phases, &Who { local, ..plant.who }, &mut bends[..segments]);
-            [bends[0], bends[segments - 1]]
+            [bends[0], bends[segments - 1]].map(|bend| leaning(bend, plant.who.plant))
         });
         let tilts = co.rows - 1;
         let (mut leaning, mut bends) = (*root, [ends[0][1], ends[1][1]]);
@@ -53,7 +54,7 @@ impl Preparing<'_> {
     fn deformed_at(&self, springs: &SpringsModel, draw: &PatchDraw, phases: &Phases, plant: &Rooted, root: &SheetRoot) -> Sheet {
         let (co, area) = (&springs.coefficients, self.uniform.placement.cells * self.uniform.placement.cells);
         let (wide, tall) = (plant.width / springs.width, plant.height / plant.who.tall.max(1e-9));
-        let own = SheetRoot { length: plant.who.tall, half_width: root.half_width.map(|part| part / wide), ..*root };
+        let own = SheetRoot { length: plant.who.tall, half_width: root.half_width.map(|part| part / wide), lean: plant.who.plant, ..*root };
         let target = target_of(springs, &own, self.wind, phases);
         let stored = pool::stored(co, self.cells, draw.slots[4], plant.who.index % area);
         let mut sheet = stored.map_or(target, |stored| pool::load(co, &own, stored).shown(co, &own, &target));

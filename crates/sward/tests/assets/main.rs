@@ -6,6 +6,7 @@ mod glb;
 
 mod gait;
 mod lay_figure;
+mod torus;
 
 use std::path::Path;
 
@@ -34,6 +35,26 @@ fn the_walker_is_as_made() {
     println!("walker: {} bytes, {triangles} triangles, {} joints", made.len(), figure.frames.len());
     assert!(made.len() < 128 << 10 && triangles > 2000 && figure.frames.len() == lay_figure::JOINTS.len());
     assert!(figure.frames.iter().all(|frame| frame.joint));
+}
+
+#[test]
+fn the_torus_is_as_made() {
+    let made = torus::torus().bytes();
+    check("torus.glb", &made);
+    let figure = figure(&made);
+    println!("torus: {} bytes, {} triangles", made.len(), figure.triangles.len());
+    // All sides face outwards: the volume that they enclose is the torus's, a little less since they are flat.
+    let volume: f64 = figure
+        .triangles
+        .iter()
+        .map(|corners| {
+            let [a, b, c] = corners.map(|corner| glam::Vec3::from(figure.vertices[corner as usize].position).as_dvec3());
+            a.dot(b.cross(c)) / 6.0
+        })
+        .sum();
+    let [ring, section] = torus::RADII;
+    let whole = 2.0 * std::f64::consts::PI.powi(2) * ring * section * section;
+    assert!((0.97..1.0).contains(&(volume / whole)), "{volume} of {whole}");
 }
 
 /// Where the lowest vertex of each foot is at a time of the walk, m: height, and place along its way.

@@ -69,10 +69,10 @@ fn ordered_cell(rank: u32) -> vec2<u32> {
 }
 
 /// What the growth map at a place of the texture says of a cell.
-fn growth_at(place: u32, cell: vec2<u32>) -> u32 {
+fn growth_at(place: u32, cell: vec2<u32>) -> vec4<u32> {
     let columns = textureDimensions(growth_maps).x / prepare.placement.cells;
     let corner = vec2<u32>(place % columns, place / columns) * prepare.placement.cells;
-    return textureLoad(growth_maps, corner + cell, 0).r;
+    return textureLoad(growth_maps, corner + cell, 0);
 }
 
 /// The number of a plant. Twin: identity.rs.
@@ -92,6 +92,7 @@ struct Who {
     yaw: f32,
     lean: f32,          // by how much at the root, rad
     curl: f32,          // how much more at the tip, rad
+    plant: vec2<f32>,   // how its plant leans by itself, rad along x and z
 }
 
 /// Velocity of the air at a place of a patch.

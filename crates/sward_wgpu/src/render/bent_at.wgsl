@@ -14,8 +14,8 @@ fn sheet_at(co: SpringsCoefficients, which: u32, plant: Rooted, root: SheetRoot)
         );
         var bends: array<vec2<f32>, 8>;
         plant_bends(which, there, &bends);
-        low[end] = bends[0];
-        high[end] = bends[prepare.segments - 1u];
+        low[end] = billboard_leaning(bends[0], plant.who.plant);
+        high[end] = billboard_leaning(bends[prepare.segments - 1u], plant.who.plant);
     }
     let tilts = f32(co.rows - 1u);
     let mean_low = 0.5 * (low[0] + low[1]);

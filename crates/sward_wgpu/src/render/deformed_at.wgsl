@@ -6,6 +6,7 @@ fn sheet_at(co: SpringsCoefficients, which: u32, plant: Rooted, root: SheetRoot)
     var own = root;
     own.length = plant.who.tall;
     own.half_width = root.half_width / wide;
+    own.lean = plant.who.plant;
     var sheet = sheet_of(draws[which], plant.who, own);
     let foot = springs_root_at(root);
     for (var row = 0u; row < co.rows; row++) {

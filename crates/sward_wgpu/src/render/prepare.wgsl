@@ -67,7 +67,10 @@ fn prepare_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     if prepare.plain > 0.0 {
         straight = smoothstep(0.75 * prepare.plain, 0.97 * prepare.plain, away);
     }
-    let who = Who(placed.root, placed.height, cell.y * prepare.placement.cells + cell.x, vec2<f32>(1.0, 0.0), 0.0, 0.0, 0.0);
+    let leans = placement_combed(0.0, 0.0, placed.lean);
+    let turn = math_sin_cos(leans.x);
+    let index = cell.y * prepare.placement.cells + cell.x;
+    let who = Who(placed.root, placed.height, index, vec2<f32>(turn.y, turn.x), leans.x, leans.y, 0.0, placed.lean);
     let width = prepare.width * (0.8 + 0.4 * fract(placed.tint * 17.3)) * min(inverseSqrt(thin), 2.2) * mix(0.5, 1.0, stay);
     solve_joints(which, Rooted(who, ground, height, straight, placed.yaw, width, out));
     let chance = fract(placed.tint * 61.7);

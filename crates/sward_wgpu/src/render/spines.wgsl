@@ -10,7 +10,7 @@ fn solve_joints(which: u32, plant: Rooted) {
     var bends: array<vec2<f32>, 8>;
     plant_bends(which, plant.who, &bends);
     for (var segment = 0u; segment < prepare.segments; segment++) {
-        local += billboard_segment(bends[segment], length_);
+        local += billboard_segment(billboard_leaning(bends[segment], plant.who.plant), length_);
         let floor_ = terrain_height(prepare.grid, draw.anchor, local.xz) + BILLBOARD_CLEARANCE;
         local.y = max(local.y, floor_);
         spine[segment + 1u] = local;

@@ -347,12 +347,12 @@ pub(crate) fn pushes(gpu: &Gpu) -> Verdict {
 pub(crate) fn lays(gpu: &Gpu) -> Verdict {
     let wgsl = "var before = sheet;
         springs_lay(co, maps, root, 0u, &sheet, &faces, heading);
-        springs_spread(co, root, &before, &sheet);";
+        springs_spread(co, root, 1u, &before, &sheet);";
     let tolerance = Tolerance { p999: 1e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
     check(gpu, &Part { name: "columns that lie down", wgsl, tolerance }, |co, root, maps, heading, sheet, faces| {
         let before = *sheet;
         springs::lay(co, root, maps, 0, sheet, faces, heading);
-        springs::spread(co, root, &before, sheet);
+        springs::spread(co, root, 1, &before, sheet);
         *sheet != before
     })
 }

@@ -8,7 +8,7 @@ pub(crate) fn assembled() -> Vec<(&'static str, String)> {
     let mut texts = render::assembled();
     texts.push(("step", compute::passes::assembled()));
     for (names, solved) in [
-        (["prepare", "prepare blade by blade", "prepare plant by plant", "prepare deformed"], Solved::Spines),
+        (["prepare", "prepare blade by blade", "prepare plant by plant", "prepare sheet by sheet"], Solved::Spines),
         (["prepare sheets", "prepare sheets blade by blade", "prepare sheets plant by plant", "prepare deformed sheets"], Solved::Sheets),
     ] {
         let bendings = [Bending::Continuum, Bending::Chain, Bending::Swing, Bending::Sheet];

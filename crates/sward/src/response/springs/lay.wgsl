@@ -2,7 +2,10 @@
 // Needs math, distance_map, vector, sheet, lengths, push.
 
 const SPRINGS_HALVINGS: u32 = 6u;
-const SPRINGS_SPREAD: f32 = 0.3;
+const SPRINGS_SPREAD: f32 = 0.34;
+const SPRINGS_AHEAD: f32 = 1.5;
+const SPRINGS_STRIDE: f32 = 0.05;
+const SPRINGS_STRIDE_SHARE: f32 = 0.25;
 
 fn springs_column_depth(
     co: SpringsCoefficients,
@@ -109,10 +112,11 @@ fn springs_lay(
     }
 }
 
-fn springs_spread(co: SpringsCoefficients, root: SheetRoot, before: ptr<function, Sheet>, sheet: ptr<function, Sheet>) {
+fn springs_spread(co: SpringsCoefficients, root: SheetRoot, count: u32, before: ptr<function, Sheet>, sheet: ptr<function, Sheet>) {
     let columns = springs_columns(co);
     let segment = springs_segment(co, root);
-    let most = SPRINGS_SPREAD * root.length;
+    let stride = max(min(SPRINGS_STRIDE, SPRINGS_STRIDE_SHARE * root.length), 1e-4);
+    let most = max(SPRINGS_SPREAD * root.length / f32(count), SPRINGS_AHEAD * stride);
     var wanted = *sheet;
     for (var vertex = columns; vertex < columns * springs_rows(co); vertex++) {
         let below = (*sheet).at[vertex - columns];

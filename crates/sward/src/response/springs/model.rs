@@ -47,6 +47,7 @@ impl SpringsModel {
             length: plant.height,
             half_width: [half * cosine, half * sine],
             slope,
+            lean: plant.lean,
             ..SheetRoot::default()
         }
     }

@@ -1,6 +1,8 @@
 // One step of one billboard. Twin: step.rs, where everything is explained. Needs all others but surface.
 
 const SPRINGS_ROUNDS: u32 = 8u;
+const SPRINGS_DEEP: f32 = 2e-3;
+const SPRINGS_PATIENCE: u32 = 4u;
 
 fn springs_is_touched(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, sheet: ptr<function, Sheet>) -> bool {
     if !springs_reach(maps, root) {
@@ -36,18 +38,40 @@ fn springs_resolve(
             (*faces).way[vertex] = 0u;
         }
     }
-    for (var k = 0u; k < co.iterations; k++) {
-        springs_sweep(co, root, sheet, &fixed_);
-    }
-    for (var k = 0u; k < SPRINGS_ROUNDS; k++) {
-        let moved = springs_push(co, maps, root, moment, sheet, faces);
-        springs_pass(co, root, sheet);
-        if !moved {
+    var least = 3.4e38;
+    var kept = *faces;
+    for (var attempt = 0u; attempt < 2u; attempt++) {
+        var moved = before;
+        var left = kept;
+        var rounds = SPRINGS_ROUNDS;
+        if attempt > 0u {
+            left = SheetFaces();
+            rounds = SPRINGS_PATIENCE * SPRINGS_ROUNDS;
+        }
+        for (var k = 0u; k < co.iterations && attempt == 0u; k++) {
+            springs_sweep(co, root, &moved, &fixed_);
+        }
+        for (var k = 0u; k < rounds; k++) {
+            let pushed = springs_push(co, maps, root, moment, &moved, &left);
+            springs_pass(co, root, &moved);
+            if !pushed {
+                break;
+            }
+        }
+        if attempt == 0u {
+            springs_lay(co, maps, root, moment, &moved, &left, heading);
+        }
+        springs_spread(co, root, maps.last + 1u, &before, &moved);
+        let deepest = springs_deepest(co, maps, root, moment, &moved);
+        if deepest < least {
+            least = deepest;
+            *sheet = moved;
+            *faces = left;
+        }
+        if least <= SPRINGS_DEEP {
             break;
         }
     }
-    springs_lay(co, maps, root, moment, sheet, faces, heading);
-    springs_spread(co, root, &before, sheet);
 }
 
 // Returns the steps since the last contact; `stored` and `faces` are what the step leaves.
