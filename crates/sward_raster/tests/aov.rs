@@ -44,7 +44,7 @@ fn sheets_are_followed() {
 
 #[test]
 fn deformed_sheets_are_followed() {
-    verdicts::sheet_pass(&pair(&deformed_pass())).expect("the pass is followed");
+    verdicts::deformed_pass(&pair(&deformed_pass())).expect("the pass is followed");
 }
 
 #[test]

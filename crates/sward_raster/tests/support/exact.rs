@@ -182,6 +182,17 @@ fn hit(eye: DVec3, ray: DVec3, [a, b, c]: &Triangle) -> Option<(f64, DVec3)> {
 
 /// The motion a pixel should have; `None` where nothing is at its depth, as at a triangle's rim, or where it was not drawn before.
 pub(crate) fn motion(world: &World, identity: &Identity, moments: [&Moment; 2], aov: &Aov, at: usize) -> Option<DVec2> {
+    seen(world, identity, moments, aov, at).map(|(motion, _)| motion)
+}
+
+/// Where a triangle is seen, twice its area in pixels, less than 0 from the other side.
+fn area(camera: &Camera, triangle: &Triangle) -> f64 {
+    let [a, b, c] = triangle.map(|corner| camera.project(corner).0);
+    (b - a).perp_dot(c - a)
+}
+
+/// Motion, and how large the triangle there was seen before, of what it is seen now: less than 0 from the other side.
+pub(crate) fn seen(world: &World, identity: &Identity, moments: [&Moment; 2], aov: &Aov, at: usize) -> Option<(DVec2, f64)> {
     let [before, now] = moments;
     let pixel = DVec2::new(f64::from(at as u32 % aov.width) + 0.5, f64::from(at as u32 / aov.width) + 0.5);
     let (depth, number) = (f64::from(aov.depth[at]), aov.plant[at]);
@@ -192,18 +203,18 @@ pub(crate) fn motion(world: &World, identity: &Identity, moments: [&Moment; 2], 
             (now.plants.get(&key)?, before.plants.get(&key)?)
         }
         None if number > 0 => (now.bodies.get(&number)?, before.bodies.get(&number)?),
-        None if depth.is_infinite() => return Some(before.camera.turned(now.camera.ray(pixel)) - pixel),
-        None => return Some(before.camera.project(now.camera.point(pixel, depth)).0 - pixel),
+        None if depth.is_infinite() => return Some((before.camera.turned(now.camera.ray(pixel)) - pixel, 1.0)),
+        None => return Some((before.camera.project(now.camera.point(pixel, depth)).0 - pixel, 1.0)),
     };
     if here.len() != there.len() {
         return None;
     }
     let (ray, eye) = (now.camera.ray(pixel), now.camera.eye);
-    let hits = here.iter().zip(there).filter_map(|(here, there)| hit(eye, ray, here).map(|hit| (hit, there)));
-    let ((found, weights), there) = hits.min_by(|a, b| (a.0.0 - depth).abs().total_cmp(&(b.0.0 - depth).abs()))?;
+    let hits = here.iter().zip(there).filter_map(|(here, there)| hit(eye, ray, here).map(|hit| (hit, here, there)));
+    let ((found, weights), here, there) = hits.min_by(|a, b| (a.0.0 - depth).abs().total_cmp(&(b.0.0 - depth).abs()))?;
     if (found - depth).abs() > 1e-4 * depth {
         return None;
     }
     let point = there[0] * weights.x + there[1] * weights.y + there[2] * weights.z;
-    Some(before.camera.project(point).0 - pixel)
+    Some((before.camera.project(point).0 - pixel, area(&before.camera, there) / area(&now.camera, here)))
 }

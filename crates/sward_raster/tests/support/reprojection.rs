@@ -28,14 +28,18 @@ pub(crate) fn blade_pass() -> String {
     CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Blade(blades: 12, width: 0.02),")
 }
 
-/// The same pass through sheets.
+/// The same pass through sheets, seen larger.
 pub(crate) fn sheet_pass() -> String {
-    CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Sheet(),")
+    sheets("representation: Sheet()")
 }
 
-/// The same pass through billboards that bodies deform, drawn as the sheets they are.
+/// The same through billboards that bodies deform, drawn as the sheets they are. They recover so fast that the track moves.
 pub(crate) fn deformed_pass() -> String {
-    CAR_PASS.replace("species: Meadow,", "species: Meadow, response: Springs(),")
+    sheets("response: Springs(recover: 0.3)")
+}
+
+fn sheets(kind: &str) -> String {
+    CAR_PASS.replace("field_of_view: 0.75", "field_of_view: 0.63").replace("species: Meadow,", &format!("species: Meadow, {kind},"))
 }
 
 /// Size of the pictures, pixels.
@@ -169,6 +173,12 @@ impl Pair {
             before.camera.project(now.camera.point(pixel, depth)).0 - pixel
         };
         (0..later.plant.len()).map(motion).collect()
+    }
+
+    /// How large the triangle a pixel shows was seen before, of what it is seen now: less than 0 from the other side. `None` where that is not known.
+    pub(crate) fn size_before(&self, at: usize) -> Option<f64> {
+        let identity = Identity::of(&self.world);
+        exact::seen(&self.world, &identity, self.moments.each_ref(), &self.frames[1], at).map(|(_, size)| size)
     }
 
     /// The motion of the pixels of a kind, and what it should be; `None` where there is nothing to compare with.

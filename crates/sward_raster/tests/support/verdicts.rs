@@ -12,26 +12,45 @@ fn ensure(holds: bool, message: impl FnOnce() -> String) -> Result<(), String> {
 pub(crate) fn car_pass(pair: &Pair) -> Result<(), String> {
     exact(pair)?;
     plants_followed(pair)?;
-    pushed_followed(pair, 0.95)?;
+    let camera = pair.camera_only();
+    pushed_followed(pair, |at| is_pushed(pair, &camera, at, PUSHED))?;
     bodies_followed(pair)
 }
 
-/// The same of sheets. Their motion is as exact where they were pushed, and that is asked here besides; but a plant of one card, turned
-/// in between, is less often seen in both frames: of pushed pixels that are not hidden 7 % did not land when this was written, of crossed
-/// cards 3 %.
+/// The same of sheets. Their motion is as exact where they were pushed, and that is asked here besides.
+///
+/// Followed are pieces that were seen half as large before, or larger. A plant of one card that turns in between was seen on edge, or not at
+/// all: its leaves were narrower than a pixel then, and something behind them was drawn. Of crossed cards the other one stands for it.
+/// Of 180 pushed pixels that are not hidden 13 did not land when this was written; 12 of those pieces were seen less than 0.43 times as large.
 pub(crate) fn sheet_pass(pair: &Pair) -> Result<(), String> {
     exact(pair)?;
     plants_followed(pair)?;
+    // These are seen larger.
+    let (least, camera) = (1.3 * PUSHED, pair.camera_only());
+    pushed_exactly(pair, least)?;
+    let turned = |at: usize| pair.size_before(at).is_none_or(|size| size.abs() < 0.5);
+    pushed_followed(pair, |at| is_pushed(pair, &camera, at, least) && !turned(at))?;
+    bodies_followed(pair)
+}
+
+/// The same of billboards that bodies deform. Few are in sight that move as fast; that slower ones land tells nothing.
+pub(crate) fn deformed_pass(pair: &Pair) -> Result<(), String> {
+    exact(pair)?;
+    plants_followed(pair)?;
+    pushed_exactly(pair, 0.5 * PUSHED)?;
+    bodies_followed(pair)
+}
+
+/// Motion is what it should be for plants pushed by at least so many pixels.
+fn pushed_exactly(pair: &Pair, least: f64) -> Result<(), String> {
     let camera = pair.camera_only();
-    let motion = pair.exact_of(|at| is_pushed(pair, &camera, at));
+    let motion = pair.exact_of(|at| is_pushed(pair, &camera, at, least));
     let errors = Errors::new(&motion, 1.0);
     println!("pushed sheets: {} pixels off by {:.5} (median), {:.5} (p99)", errors.off.len(), errors.at(0.5), errors.at(0.99));
     ensure(errors.off.len() > 100 && errors.unknown * 20 < motion.len(), || format!("{} pushed pixels", errors.off.len()))?;
     ensure(errors.at(0.99) < OFF, || format!("motion of pushed sheets is off by {}", errors.at(0.99)))?;
     let control = Errors::new(&motion, 0.99).at(0.5);
-    ensure(control > OFF, || format!("control: 1 % less is off by {control}"))?;
-    pushed_followed(pair, 0.9)?;
-    bodies_followed(pair)
+    ensure(control > OFF, || format!("control: 1 % less is off by {control}"))
 }
 
 /// Motion is what it should be, for all kinds of surfaces.
@@ -65,7 +84,8 @@ pub(crate) fn blade_pass(pair: &Pair) -> Result<(), String> {
     let plants = pair.kinds.iter().filter(|kind| **kind == Kind::Plant).count();
     ensure(plants > 5_000, || format!("only {plants} pixels of plants"))?;
     plants_followed(pair)?;
-    pushed_followed(pair, 0.95)?;
+    let camera = pair.camera_only();
+    pushed_followed(pair, |at| is_pushed(pair, &camera, at, PUSHED))?;
     bodies_followed(pair)
 }
 
@@ -87,17 +107,19 @@ fn plants_followed(pair: &Pair) -> Result<(), String> {
     Ok(())
 }
 
+/// What pushed plants move by at least, beside what the camera makes of it, pixels.
+const PUSHED: f64 = 3.0;
+
 /// In the track plants are pushed aside: there the camera does not explain where they were.
-fn is_pushed(pair: &Pair, camera: &[DVec2], at: usize) -> bool {
-    pair.kinds[at] == Kind::Plant && (camera[at] - given(&pair.frames[1], at)).length() > 3.0
+fn is_pushed(pair: &Pair, camera: &[DVec2], at: usize, least: f64) -> bool {
+    pair.kinds[at] == Kind::Plant && (camera[at] - given(&pair.frames[1], at)).length() > least
 }
 
-fn pushed_followed(pair: &Pair, share: f64) -> Result<(), String> {
+fn pushed_followed(pair: &Pair, pushed: impl Fn(usize) -> bool) -> Result<(), String> {
     let (later, camera) = (&pair.frames[1], pair.camera_only());
-    let pushed = |at: usize| is_pushed(pair, &camera, at);
-    let (right, control) = (pair.follow(pushed, |at| given(later, at)), pair.follow(pushed, |at| camera[at]));
+    let (right, control) = (pair.follow(&pushed, |at| given(later, at)), pair.follow(&pushed, |at| camera[at]));
     println!("pushed plants followed: {right:?}; by the camera's motion: {control:?}");
-    ensure(right.landed > 100 && right.share() > share, || format!("pushed plants are lost: {right:?}"))?;
+    ensure(right.landed > 100 && right.share() > 0.95, || format!("pushed plants are lost: {right:?}"))?;
     ensure(3 * control.landed < 2 * right.landed, || format!("control: the camera's motion lands as well: {control:?}"))?;
     Ok(())
 }

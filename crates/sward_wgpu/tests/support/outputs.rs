@@ -57,7 +57,7 @@ pub(crate) fn sheets_are_followed(gpu: &Gpu) -> Verdict {
 pub(crate) fn deformed_sheets_are_followed(gpu: &Gpu) -> Verdict {
     let worlds = worlds_of(&deformed_pass());
     let frames = on_gpu(gpu, &worlds)?;
-    Ok(verdicts::sheet_pass(&Pair::new(worlds, frames))?)
+    Ok(verdicts::deformed_pass(&Pair::new(worlds, frames))?)
 }
 
 pub(crate) fn outputs_of_deformed_sheets_agree(gpu: &Gpu) -> Verdict {
