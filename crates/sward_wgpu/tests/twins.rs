@@ -12,6 +12,9 @@ mod continuum;
 mod controls;
 #[path = "support/distance_maps.rs"]
 mod distance_maps;
+#[path = "../../sward/tests/figures/glb.rs"]
+#[allow(dead_code)] // Only two of its figures are used.
+mod glb;
 #[path = "support/halves.rs"]
 mod halves;
 #[path = "support/kernels.rs"]
@@ -76,7 +79,11 @@ fn main() -> std::process::ExitCode {
         ("swing_runs", swings::run),
         ("swing_costs", swings::released_plants_cost_nothing),
         ("swings_solved", prepared::swings_solved),
-        ("sheet_runs", sheets::run),
+        ("sheet_runs", sheets::runs),
+        ("sheets_of_figures", sheets::figures),
+        ("sheets_by_the_thousand", sheets::many),
+        ("sheets_handed_over", sheets::handed_over),
+        ("sheet_costs", sheets::free_billboards_cost_nothing),
         ("sheets_bent", prepared::sheets_bent),
         ("distance_maps", distance_maps::solids),
         ("distance_maps_of_figures", distance_maps::figures),

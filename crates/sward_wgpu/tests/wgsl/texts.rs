@@ -11,6 +11,7 @@ pub(crate) fn assembled() -> Vec<(&'static str, String)> {
     texts.push(("prepare blade by blade", render::prepare::assembled(Bending::Chain)));
     texts.push(("prepare plant by plant", render::prepare::assembled(Bending::Swing)));
     texts.push(("prepare sheet by sheet", render::prepare::assembled(Bending::Sheet)));
+    texts.push(("step sheet by sheet", compute::sheets::assembled()));
     texts.push(("step plant by plant", compute::swings::assembled()));
     texts.push(("distance maps", compute::distance_maps::assembled()));
     texts.push(("step blade by blade", compute::blades::assembled()));
