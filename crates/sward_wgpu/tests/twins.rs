@@ -80,6 +80,7 @@ fn main() -> std::process::ExitCode {
         ("swing_costs", swings::released_plants_cost_nothing),
         ("swings_solved", prepared::swings_solved),
         ("sheet_runs", sheets::runs),
+        ("sheet_steps", sheets::steps),
         ("sheets_of_figures", sheets::figures),
         ("sheets_by_the_thousand", sheets::many),
         ("sheets_handed_over", sheets::handed_over),

@@ -110,8 +110,8 @@ impl SheetPasses {
         let storage = wgpu::BufferUsages::STORAGE;
         let texels = if world.texels.is_empty() { &[[0.0; 4]][..] } else { &world.texels };
         Self {
-            touch: Pass::plain(gpu, &module, "touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8]),
-            resolve: Pass::plain(gpu, &module, "resolve_pass", &[0, 2, 3, 4, 5, 6]),
+            touch: Pass::plain(gpu, &module, "sheet_touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8]),
+            resolve: Pass::plain(gpu, &module, "sheet_resolve_pass", &[0, 2, 3, 4, 5, 6]),
             maps: world.model.bodies.iter().any(|body| body.is_animated()).then(|| DistanceMapPasses::new(gpu)),
             tile: gpu.filled("wind tile", bytemuck::cast_slice(&world.model.wind_texels()), storage),
             texels: gpu.filled("maps of bodies", bytemuck::cast_slice(texels), storage),
@@ -135,9 +135,13 @@ impl SheetPasses {
             Some((figure.points(*elapsed), &figure.figure.triangles, map, first))
         };
         let drawn: Vec<_> = moving.iter().filter_map(known).collect();
-        let input = drawn
-            .iter()
-            .map(|(points, triangles, map, first)| MapInput { points, triangles, cube: map.cube, size: map.size, first: *first });
+        let input = drawn.iter().map(|(points, triangles, map, first)| MapInput {
+            points,
+            triangles,
+            cube: map.cube,
+            size: map.size,
+            first: *first,
+        });
         passes.record(gpu, encoder, &input.collect::<Vec<_>>(), &self.texels, work, stopwatch);
     }
 
@@ -177,16 +181,8 @@ impl SheetPasses {
         let lists: Vec<wgpu::Buffer> =
             all.chunks(MOST_AT_ONCE).map(|some| filled("deformed billboards", bytemuck::cast_slice(some))).collect();
         for (some, list) in all.chunks(MOST_AT_ONCE).zip(&lists) {
-            let bound = [
-                (0, &numbers),
-                (1, &wind),
-                (2, list),
-                (3, &cells.sheets),
-                (4, &heads),
-                (5, &self.texels),
-                (6, &room),
-                (8, &self.tile),
-            ];
+            let bound =
+                [(0, &numbers), (1, &wind), (2, list), (3, &cells.sheets), (4, &heads), (5, &self.texels), (6, &room), (8, &self.tile)];
             let near = some.iter().filter(|entry| entry.count > 0).count();
             for (pass, count) in [(&self.touch, some.len()), (&self.resolve, near)] {
                 let groups = Groups::Direct([count.div_ceil(64) as u32, 1, u32::from(count > 0)]);

@@ -125,7 +125,7 @@ fn store_sheet(entry: SheetEntry, sheet: u32, steps: u32) {
 }
 
 @compute @workgroup_size(64)
-fn touch_pass(@builtin(global_invocation_id) id: vec3<u32>) {
+fn sheet_touch_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= arrayLength(&entries) {
         return;
     }
@@ -159,7 +159,7 @@ fn touch_pass(@builtin(global_invocation_id) id: vec3<u32>) {
 }
 
 @compute @workgroup_size(64)
-fn resolve_pass(@builtin(global_invocation_id) id: vec3<u32>) {
+fn sheet_resolve_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= arrayLength(&entries) {
         return;
     }

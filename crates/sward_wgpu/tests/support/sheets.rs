@@ -6,28 +6,33 @@ use libtest_mimic::Failed;
 use sward::model::{Assets, Folder};
 use sward::scene::Scene;
 use sward::world::World;
+use sward_wgpu::compare::Tolerance;
 use sward_wgpu::compute::GpuStep;
 use sward_wgpu::gpu::Gpu;
 
 use crate::adapter::{Verdict, ensure};
 use crate::glb;
-use crate::runs::{Backend, Run, agree, world};
+use crate::kernels::judge;
+use crate::runs::{Backend, agree, cells, world};
+
+/// Agreement of vertices after one step from the same state, m: bodies and sheets half a metre long, in `f32`.
+const ONE_STEP: Tolerance = Tolerance { p999: 2e-5, rms: 2e-6, outlier: 1e-4, share: 5e-4 };
 
 /// A ball with long axes walks over hills in gusts, and grass recovers behind it.
 const WALKER: &str = r#"(version: 1, field: (patch_side: 16), terrain: Image(path: "assets/jacksboro.png", scale: 0.03125),
-    stands: [(species: Meadow, cells: 64, response: Springs(recover: 1))], wind: [Natural()],
+    stands: [(species: Meadow, cells: 128, response: Springs(recover: 1))], wind: [Natural()],
     interactors: [(shape: Ellipsoid(radii: (0.25, 0.9, 0.25)), path: Circle(centre: (0, 2), radius: 3, speed: 1.5))],
     camera: (eye: (0, 2, 0), target: (4, 1, 8)), budget: (patches: 9))"#;
 
 /// A box that turns into the grass, on the same hills.
 const BOX: &str = r#"(version: 1, field: (patch_side: 16), terrain: Image(path: "assets/jacksboro.png", scale: 0.03125),
-    stands: [(species: Meadow, cells: 64, response: Springs(recover: 1))], wind: [Uniform(velocity: (3, 1))],
+    stands: [(species: Meadow, cells: 128, response: Springs(recover: 1))], wind: [Uniform(velocity: (3, 1))],
     interactors: [(shape: Box(size: (1, 1, 1.5)), path: Keyframes(keys: [(time: 0, at: (-4, 3)), (time: 2, at: (4, 7))]))],
     camera: (eye: (0, 2, 0), target: (4, 1, 8)), budget: (patches: 9))"#;
 
 /// A walker, a box and a ball that vanishes, on hills, among limits of growth, in gusts.
 const SHEETS: &str = r#"(version: 1, field: (patch_side: 16), terrain: Image(path: "assets/jacksboro.png", scale: 0.03125),
-    stands: [(species: Meadow, cells: 40, response: Springs(recover: 1.2))], wind: [Natural()],
+    stands: [(species: Meadow, cells: 96, response: Springs(recover: 1.2))], wind: [Natural()],
     exclusions: [(area: Road(points: [(-30, 2), (0, 3), (30, -4)], width: 2), soft: 0.8)],
     interactors: [
         (shape: Ellipsoid(radii: (0.25, 0.9, 0.25)), path: Circle(centre: (0, 2), radius: 3, speed: 1.5)),
@@ -42,7 +47,7 @@ const CROWDED: &str =
 
 /// Figures whose clips move limbs, and bend one skin over two joints.
 const FIGURES: &str = r#"(version: 1, field: (patch_side: 16),
-    stands: [(species: Meadow, cells: 64, height: (0.4, 0.4), response: Springs(recover: 1))], wind: [Natural()], interactors: [
+    stands: [(species: Meadow, cells: 128, height: (0.4, 0.4), response: Springs(recover: 1))], wind: [Natural()], interactors: [
         (shape: Mesh(file: "walker.glb", clip: "Walk"), path: Circle(centre: (4, 4), radius: 3, speed: 1)),
         (shape: Mesh(file: "post.glb", clip: "Bow"), path: Keyframes(keys: [(time: 0, at: (-2, 3)), (time: 2, at: (0, 3))])),
     ])"#;
@@ -83,7 +88,9 @@ fn compare(gpu: &Gpu, name: &str, make: &dyn Fn() -> Result<World, Failed>, step
     ensure(is_deformed(&cpu), || format!("{name}: too few sheets"))?;
     change(&mut changed);
     Backend::on(gpu, &changed)?.run(gpu, &mut changed, steps)?;
-    ensure(agree(name, &cpu, &changed, false).is_err(), || format!("{name}: what differs is not found"))?;
+    let found = agree(name, &cpu, &changed, false).err().ok_or_else(|| format!("{name}: what differs is not found"))?;
+    println!("control: {}", found.message().unwrap_or_default());
+    ensure(found.message().is_some_and(|found| found.contains("bend")), || format!("{name}: found by something else"))?;
     plans_agree(cpu, other)
 }
 
@@ -95,22 +102,46 @@ fn softer(world: &mut World) {
     }
 }
 
-/// An ellipsoid in wind on hills, a box, all together, and a crowd in a small pool. Control: softer sheets.
+/// One step from the same state, of a crowd in a small pool and of the others: little for rounding to decide. Control: softer sheets.
+pub(crate) fn steps(gpu: &Gpu) -> Verdict {
+    let crowd: fn(&World) -> bool = |world| world.state.stands[0].sheets.pool.evicted > 10;
+    for (name, scene, shows) in [("crowded", CROWDED, crowd), ("box", BOX, is_deformed), ("sheets", SHEETS, is_deformed)] {
+        let mut found = false;
+        for before in [10, 40, 59] {
+            let (mut cpu, mut other, mut changed) = (world(scene)?, world(scene)?, world(scene)?);
+            Backend::Cpu.run(gpu, &mut cpu, before)?;
+            other.restore(&cpu.save())?;
+            changed.restore(&cpu.save())?;
+            softer(&mut changed);
+            Backend::Cpu.run(gpu, &mut cpu, 1)?;
+            Backend::on(gpu, &other)?.run(gpu, &mut other, 1)?;
+            Backend::Cpu.run(gpu, &mut changed, 1)?;
+            agree(name, &cpu, &other, false)?;
+            let [own, theirs, softer] = [&cpu, &other, &changed].map(|world| cells(world, 0)[0].clone());
+            judge(&format!("{name}, step {before} alone"), &own, &theirs, &ONE_STEP)?;
+            found |= judge("softer", &own, &softer, &ONE_STEP).is_err();
+            ensure(before < 59 || shows(&cpu), || format!("{name} does not show what it is about"))?;
+        }
+        ensure(found, || format!("{name}: softer sheets are not found"))?;
+    }
+    Ok(())
+}
+
+/// An ellipsoid in wind on hills, a box, and all together. Control: softer sheets.
 pub(crate) fn runs(gpu: &Gpu) -> Verdict {
     compare(gpu, "ellipsoid", &|| world(WALKER), 120, &softer)?;
     compare(gpu, "box", &|| world(BOX), 120, &softer)?;
-    compare(gpu, "crowded", &|| world(CROWDED), 60, &softer)?;
-    Run { name: "sheets", scene: SHEETS, shows: is_deformed }.check_for(gpu, 180)
+    compare(gpu, "sheets", &|| world(SHEETS), 120, &softer)
 }
 
-/// Figures whose maps are drawn anew in each step, by the device. Control: the device draws them a hundredth smaller.
+/// Figures whose maps are drawn anew in each step, by the device. Control: the device draws them a twentieth smaller.
 pub(crate) fn figures(gpu: &Gpu) -> Verdict {
     let make = || Ok(World::new(Scene::parse(FIGURES, "figures.ron")?, &Figures)?);
     compare(gpu, "figures", &make, 120, &|world| {
         for body in &mut world.model.bodies {
             let Some(figure) = &mut body.figure else { continue };
             for vertex in &mut Arc::make_mut(&mut figure.figure).vertices {
-                vertex.position = vertex.position.map(|part| 0.99 * part);
+                vertex.position = vertex.position.map(|part| 0.95 * part);
             }
         }
     })
