@@ -6,8 +6,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::model::in_field;
-use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
+use crate::state::{Awake, NONE, PatchKey, StandState, TILE, in_field};
 
 /// Steps between a summary's step and the activation that reads it.
 pub const LATENCY: usize = 2;

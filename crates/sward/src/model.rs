@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use limits::Named;
+use limits::{Named, NamedComb};
 pub use maps::BodyMaps;
 
 use crate::figure::{Figure, FigureError};
@@ -23,7 +23,7 @@ use crate::scene::{
     Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
 use crate::shading::environment::Environment;
-use crate::state::{BodyState, PatchKey, Root};
+use crate::state::{BodyState, Root};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::{Flow, Images, Source, Tile};
 
@@ -218,7 +218,12 @@ fn body_models(scene: &Scene, assets: &dyn Assets) -> Result<Vec<BodyModel>, Sce
     Ok(bodies)
 }
 
-fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<Vec<StandModel>, SceneError> {
+/// Those of a list that hold for a stand.
+fn named<T>(list: &[(Arc<T>, Vec<String>)], stand: &String) -> Vec<Arc<T>> {
+    list.iter().filter(|(_, names)| names.is_empty() || names.contains(stand)).map(|(one, _)| Arc::clone(one)).collect()
+}
+
+fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named], combs: &[NamedComb]) -> Result<Vec<StandModel>, SceneError> {
     let dt = 1.0 / f64::from(scene.steps_per_second);
     let patch_side = f64::from(scene.field.patch_side);
     let mut stands: Vec<StandModel> = Vec::new();
@@ -240,11 +245,14 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named]) -> Result<V
             height: species.height,
             clumping: stand.clumping,
             clumps: ((patch_side / f64::from(stand.clump_size)).round() as u32).clamp(1, stand.cells),
+            lean: stand.lean,
+            messiness: stand.messiness,
+            unused: 0.0,
         };
-        let own = limits.iter().filter(|(_, names)| names.is_empty() || names.contains(&species.name));
+        let growth = Growth { limits: named(limits, &species.name), slopes: stand.slope, combs: named(combs, &species.name) };
         stands.push(StandModel {
             name: stand.label(),
-            growth: Growth { limits: own.map(|(limit, _)| Arc::clone(limit)).collect(), slopes: stand.slope },
+            growth,
             lag: LagCoefficients::new(&species.continuum, species.segments(), dt),
             tolerance: tolerance(&species, chain.as_ref(), oscillator.as_ref(), sources),
             chain,
@@ -397,11 +405,6 @@ pub fn rebased(mut scene: Scene) -> Scene {
     scene
 }
 
-/// Whether a patch belongs to a field from its first patch to one past its last; an endless one has all.
-pub(crate) fn in_field(field: Option<[[i32; 2]; 2]>, patch: PatchKey) -> bool {
-    field.is_none_or(|[low, high]| (0..2).all(|axis| patch[axis] >= low[axis] && patch[axis] < high[axis]))
-}
-
 impl Model {
     /// Compiles a scene; files it names come from `assets`.
     pub fn compile(scene: &Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
@@ -422,7 +425,7 @@ impl Model {
         let scattered = |error: TerrainError| SceneError::in_file("", error.to_string()).named_by(Trail::default().key("edits"));
         terrain.reserve_edits(&scene.edits).map_err(scattered)?;
         let limits = limits::of(scene, assets)?;
-        let stands = stand_models(scene, &sources, &limits)?;
+        let stands = stand_models(scene, &sources, &limits, &limits::combs(scene, assets)?)?;
         let (blowers, images) = blowers(scene, assets)?;
         let bodies = body_models(scene, assets)?;
         let texels = stands.iter().filter_map(|stand| stand.springs.as_ref()).map(|springs| springs.texels).max().unwrap_or(0);

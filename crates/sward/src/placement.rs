@@ -19,6 +19,8 @@ mod purpose {
     pub(super) const TINT: u32 = 6;
     pub(super) const CLUMP: u32 = 7;
     pub(super) const VARIETY: u32 = 8;
+    pub(super) const LEAN_X: u32 = 9;
+    pub(super) const LEAN_Z: u32 = 10;
     /// The first of those about blades.
     pub(super) const BLADE: u32 = 16;
 }
@@ -41,6 +43,36 @@ pub struct PlacementParameters {
     pub clumping: f32,
     /// Clump lattices per patch side: the whole number nearest to patch side / clump size, at least 1.
     pub clumps: u32,
+    /// Tilt of a plant that nothing moves, rad along x and z.
+    pub lean: [f32; 2],
+    /// How far each leans some way of its own, 0 to 1.
+    pub messiness: f32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: f32,
+}
+
+/// Most that a plant leans by itself, rad.
+pub const MOST_LEAN: f32 = 1.2;
+/// Where messiness is 1 a plant leans up to so much some way of its own, along x and along z, rad.
+const MESSY: f32 = 0.6;
+
+/// What a growth map says of one cell's plant; the same four bytes in WGSL.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+pub struct Growing {
+    /// 0 nothing grows, 255 all does, between them it is lower.
+    pub share: u8,
+    /// Not 0: it leans as the map says.
+    pub combed: u8,
+    /// How, hundredths of a radian along x and z.
+    pub lean: [i8; 2],
+}
+
+impl Growing {
+    /// Only how much of it grows, 0 to 255.
+    pub fn of_share(share: u8) -> Self {
+        Self { share, ..Self::default() }
+    }
 }
 
 /// One plant.
@@ -54,6 +86,8 @@ pub struct Plant {
     pub yaw: f32,
     /// Colour variation, 0 to 1.
     pub tint: f32,
+    /// Tilt when nothing moves it, rad along x and z.
+    pub lean: [f32; 2],
 }
 
 /// Smooth value noise over the clump lattice, 0 to 1, continuous across patches.
@@ -89,18 +123,43 @@ pub fn plant(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> Option
     if random(purpose::PRESENT) >= cover(p, clump) {
         return None;
     }
+    let lean = if p.messiness > 0.0 { scattered(p, patch, index, p.lean, p.messiness) } else { p.lean };
     let share = random(purpose::HEIGHT) * (1.0 - p.clumping) + clump * p.clumping;
     Some(Plant {
         root: [(cell[0] as f32 + random(purpose::PLACE_X)) * p.spacing, (cell[1] as f32 + random(purpose::PLACE_Z)) * p.spacing],
         height: p.height[0] + (p.height[1] - p.height[0]) * share,
         yaw: random(purpose::YAW) * std::f32::consts::TAU,
         tint: random(purpose::TINT),
+        lean,
     })
 }
 
-/// The plant of a cell of which the growth map says `growth`: 0 nothing grows, 255 all does, between them it is lower.
-pub fn grown(plant: Plant, growth: u8) -> Option<Plant> {
-    (growth > 0).then(|| Plant { height: plant.height * (f32::from(growth) / 255.0), ..plant })
+/// How the plant of cell number `index` leans where all lean by `lean` \[rad\], and some way of their own by `messiness`, 0 to 1.
+///
+/// Orthmann et al. 2009, §4: direction and messiness.
+pub fn scattered(p: &PlacementParameters, patch: [i32; 2], index: u32, lean: [f32; 2], messiness: f32) -> [f32; 2] {
+    let random = |purpose: u32| math::unit(math::hash(p.seed, patch[0], patch[1], index, purpose));
+    let own = [random(purpose::LEAN_X), random(purpose::LEAN_Z)].map(|chance| messiness * MESSY * (2.0 * chance - 1.0));
+    let [x, z] = [lean[0] + own[0], lean[1] + own[1]];
+    let length = (x * x + z * z).sqrt();
+    let kept = if length > MOST_LEAN { MOST_LEAN / length } else { 1.0 };
+    [x * kept, z * kept]
+}
+
+/// The plant of a cell as the growth map has it.
+pub fn grown(plant: Plant, growing: Growing) -> Option<Plant> {
+    let lean = if growing.combed > 0 { growing.lean.map(|part| f32::from(part) * 0.01) } else { plant.lean };
+    (growing.share > 0).then(|| Plant { height: plant.height * (f32::from(growing.share) / 255.0), lean, ..plant })
+}
+
+/// Where a blade leans, rad from +x towards +z, and by how much, whose plant leans besides.
+pub fn combed(yaw: f32, lean: f32, plant: [f32; 2]) -> (f32, f32) {
+    if plant == [0.0; 2] {
+        return (yaw, lean);
+    }
+    let (sine, cosine) = math::sin_cos(yaw);
+    let [x, z] = [lean * cosine + plant[0], lean * sine + plant[1]];
+    (math::atan2(z, x), math::lower((x * x + z * z).sqrt(), MOST_LEAN))
 }
 
 /// 32 chance bits of the plant in a cell: how it differs from others of its kind.

@@ -8,7 +8,11 @@ const PLACEMENT_YAW: u32 = 5u;
 const PLACEMENT_TINT: u32 = 6u;
 const PLACEMENT_CLUMP: u32 = 7u;
 const PLACEMENT_VARIETY: u32 = 8u;
+const PLACEMENT_LEAN_X: u32 = 9u;
+const PLACEMENT_LEAN_Z: u32 = 10u;
 const PLACEMENT_BLADE: u32 = 16u;
+const PLACEMENT_MOST_LEAN: f32 = 1.2;
+const PLACEMENT_MESSY: f32 = 0.6;
 
 struct PlacementParameters {
     seed: u32,
@@ -18,6 +22,9 @@ struct PlacementParameters {
     height: vec2<f32>,
     clumping: f32,
     clumps: u32,
+    lean: vec2<f32>,
+    messiness: f32,
+    unused: f32,
 }
 
 struct PlacedPlant {
@@ -26,6 +33,7 @@ struct PlacedPlant {
     height: f32,
     yaw: f32,
     tint: f32,
+    lean: vec2<f32>,
 }
 
 fn placement_corner(p: PlacementParameters, patch_: vec2<i32>, corner: vec2<u32>) -> f32 {
@@ -54,6 +62,14 @@ fn placement_random(p: PlacementParameters, patch_: vec2<i32>, index: u32, purpo
     return math_unit(math_hash(p.seed, patch_.x, patch_.y, index, purpose));
 }
 
+// How the plant of a cell leans: as all do, and some way of its own.
+fn placement_scattered(p: PlacementParameters, patch_: vec2<i32>, index: u32) -> vec2<f32> {
+    let chance = vec2<f32>(placement_random(p, patch_, index, PLACEMENT_LEAN_X), placement_random(p, patch_, index, PLACEMENT_LEAN_Z));
+    let lean = p.lean + p.messiness * PLACEMENT_MESSY * (2.0 * chance - 1.0);
+    let length_ = length(lean);
+    return lean * select(1.0, PLACEMENT_MOST_LEAN / length_, length_ > PLACEMENT_MOST_LEAN);
+}
+
 fn placement_plant(p: PlacementParameters, patch_: vec2<i32>, cell: vec2<u32>) -> PlacedPlant {
     let index = cell.y * p.cells + cell.x;
     let clump = placement_clump(p, patch_, cell);
@@ -66,7 +82,21 @@ fn placement_plant(p: PlacementParameters, patch_: vec2<i32>, cell: vec2<u32>) -
     plant.height = p.height.x + (p.height.y - p.height.x) * share;
     plant.yaw = placement_random(p, patch_, index, PLACEMENT_YAW) * 6.2831855;
     plant.tint = placement_random(p, patch_, index, PLACEMENT_TINT);
+    plant.lean = p.lean;
+    if p.messiness > 0.0 {
+        plant.lean = placement_scattered(p, patch_, index);
+    }
     return plant;
+}
+
+// Where a blade leans, rad from +x towards +z, and by how much, whose plant leans besides.
+fn placement_combed(yaw: f32, lean: f32, plant: vec2<f32>) -> vec2<f32> {
+    if all(plant == vec2<f32>(0.0)) {
+        return vec2<f32>(yaw, lean);
+    }
+    let turn = math_sin_cos(yaw);
+    let way = lean * turn.yx + plant;
+    return vec2<f32>(math_atan2(way.y, way.x), min(length(way), PLACEMENT_MOST_LEAN));
 }
 
 // 32 chance bits of the plant in a cell.
@@ -79,10 +109,13 @@ fn placement_of_blade(p: PlacementParameters, patch_: vec2<i32>, cell: vec2<u32>
     return placement_random(p, patch_, cell.y * p.cells + cell.x, PLACEMENT_BLADE * (blade + 1u) + question);
 }
 
-// The plant where the growth map says `growth`, 0 to 255: nothing, lower, or all of it.
-fn placement_grown(plant: PlacedPlant, growth: u32) -> PlacedPlant {
+// The plant as the growth map has it: how much of it, 0 to 255, and how it leans where the next is not 0.
+fn placement_grown(plant: PlacedPlant, growing: vec4<u32>) -> PlacedPlant {
     var grown = plant;
-    grown.present = plant.present && growth > 0u;
-    grown.height = plant.height * (f32(growth) / 255.0);
+    grown.present = plant.present && growing.x > 0u;
+    grown.height = plant.height * (f32(growing.x) / 255.0);
+    if growing.y > 0u {
+        grown.lean = vec2<f32>(bitcast<vec2<i32>>(growing.zw << vec2<u32>(24u)) >> vec2<u32>(24u)) * 0.01;
+    }
     return grown;
 }

@@ -7,6 +7,8 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use serde::{Deserialize, Serialize};
 
+use crate::placement::Growing;
+
 pub use sheets::{Billboard, SheetPool, Sheets};
 
 /// No slot.
@@ -17,6 +19,11 @@ pub const TILE: PatchKey = [i32::MIN, i32::MIN];
 
 /// Patch coordinates, counted from the scene's origin patch (x, z).
 pub type PatchKey = [i32; 2];
+
+/// Whether a patch belongs to a field from its first patch to one past its last; an endless one has all.
+pub(crate) fn in_field(field: Option<[[i32; 2]; 2]>, patch: PatchKey) -> bool {
+    field.is_none_or(|[low, high]| (0..2).all(|axis| patch[axis] >= low[axis] && patch[axis] < high[axis]))
+}
 
 /// What a whole simulation holds.
 #[derive(Clone, Debug, Default)]
@@ -163,7 +170,7 @@ pub struct Cells {
     /// Sheets of deformed billboards, place by place: see [`crate::response::springs::pool::store`].
     pub sheets: Vec<u32>,
     /// Growth maps of patches in which bodies deform billboards; derived.
-    pub grown: BTreeMap<PatchKey, Box<[u8]>>,
+    pub grown: BTreeMap<PatchKey, Box<[Growing]>>,
     /// Ground under each slot's cells; derived, kept while the patch is awake.
     pub ground: Vec<Ground>,
 }

@@ -8,8 +8,9 @@ use sward::scene::Scene;
 use sward::world::World;
 
 const STEPS: u32 = 300;
-/// Shipped scenes that go into the golden file: hills, gusts, several stands; many bodies; a gale; blade by blade; plants that swing; sheets.
-const SCENES: [&str; 6] = ["hello", "crossing", "reed", "grassland", "footsteps", "stamp"];
+/// Shipped scenes that go into the golden file: hills, gusts, several stands; many bodies; a gale; blade by blade; plants that swing; sheets;
+/// sheets and skinned bodies.
+const SCENES: [&str; 7] = ["hello", "crossing", "reed", "grassland", "footsteps", "stamp", "walkers"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

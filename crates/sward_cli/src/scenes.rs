@@ -44,6 +44,7 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "grassland" at 4.0;
     "footsteps" at 5.2;
     "stamp" at 7.3;
+    "walkers" at 7.0;
 };
 
 /// The files that come with sward.
@@ -52,6 +53,8 @@ struct Embedded;
 const FILES: &[(&str, &[u8])] = &[
     ("assets/jacksboro.png", include_bytes!("../../../assets/jacksboro.png")),
     ("assets/jacksboro.toml", include_bytes!("../../../assets/jacksboro.toml")),
+    ("assets/torus.glb", include_bytes!("../../../assets/torus.glb")),
+    ("assets/walker.glb", include_bytes!("../../../assets/walker.glb")),
 ];
 
 impl Assets for Embedded {

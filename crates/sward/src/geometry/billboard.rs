@@ -19,6 +19,20 @@ pub fn segment(bend: [f32; 2], length: f32) -> [f32; 3] {
     [bend[0] * along * length, cosine * length, bend[1] * along * length]
 }
 
+/// Most that a plant bends that leans by itself, rad.
+const FLAT: f32 = 1.55;
+
+/// Bend of a segment of a plant that leans by itself, rad along x and z: within a quarter turn.
+pub fn leaning(bend: [f32; 2], lean: [f32; 2]) -> [f32; 2] {
+    if lean == [0.0; 2] {
+        return bend;
+    }
+    let [x, z] = [bend[0] + lean[0], bend[1] + lean[1]];
+    let size = (x * x + z * z).sqrt();
+    let share = if size > FLAT { FLAT / size } else { 1.0 };
+    [x * share, z * share]
+}
+
 /// Bend of an upper segment some share of a step ago, from what is known now: the cascade's own step, taken back.
 ///
 /// `here` is its bend now, `below` that of the segment under it now and then \[rad\]. `gains` as of

@@ -1,20 +1,22 @@
-//! The growth map: where nothing grows, or less and lower. Exclusions, masks and the steepness of the ground make it.
+//! The growth map: where nothing grows, or less and lower, and how it leans. Exclusions, masks and the steepness of the ground make it.
 //!
-//! Nothing is baked ahead: a patch that something limits gets its map (a byte a cell) when it is first seen or wakes, others cost
+//! Nothing is baked ahead: a patch that something limits gets its map (four bytes a cell) when it is first seen or wakes, others cost
 //! nothing. Limits are kept in f64; whoever asks gets them as `f32` near a place of its own ([`Near`]). The shape functions have a
 //! twin for the colour of bare ground: `growth.wgsl`.
 
 mod area;
+mod comb;
 mod image;
 mod near;
 
 use std::sync::Arc;
 
 pub use area::Outline;
+pub use comb::{Comb, DirectionImage};
 pub use image::MaskImage;
 pub use near::{GrowthBlock, GrowthRecord, MOST_RECORDS, Near, cover_at};
 
-use crate::placement::{self, PlacementParameters};
+use crate::placement::{self, Growing, PlacementParameters};
 use crate::terrain::Terrain;
 
 /// Shapes in WGSL. The host declares `growth_edge(index: u32) -> vec4<f32>` and `growth_texel(index: u32) -> f32`.
@@ -49,6 +51,8 @@ pub struct Growth {
     pub limits: Vec<Arc<Limit>>,
     /// Least and greatest steepness.
     pub slopes: Option<Slopes>,
+    /// How it lies; of two that say something of a place the latter holds.
+    pub combs: Vec<Arc<Comb>>,
 }
 
 /// Height in [`crate::state::Ground`] of a cell where nothing grows, m: far below every body, so none finds plants to push.
@@ -57,7 +61,7 @@ pub const BARE: f32 = -1e9;
 impl Growth {
     /// It grows everywhere.
     pub fn is_free(&self) -> bool {
-        self.limits.is_empty() && self.slopes.is_none()
+        self.limits.is_empty() && self.slopes.is_none() && self.combs.is_empty()
     }
 
     /// What of it concerns a square of `side` \[m\] whose corner is at `corner` \[m\]; `None` where it grows freely.
@@ -74,20 +78,41 @@ impl Growth {
         })
     }
 
-    /// The growth of each cell's own plant, row by row: 0 nothing, 255 as it would grow, between them lower. `None` where all is 255.
-    pub fn map(&self, placement: &PlacementParameters, terrain: &Terrain, patch: [i32; 2], patch_side: f64) -> Option<Box<[u8]>> {
+    /// How plants at a place \[m\] lean, and how messy they are, where pictures say so of either.
+    fn combed(&self, combs: &[&Comb], placement: &PlacementParameters, ground: [f64; 2]) -> Option<([f32; 2], f32)> {
+        let said: Vec<_> = combs.iter().filter_map(|comb| comb.at(ground)).collect();
+        let lean = said.iter().rev().find_map(|(lean, _)| *lean);
+        let messiness = said.iter().rev().find_map(|(_, messiness)| *messiness);
+        (lean.is_some() || messiness.is_some()).then(|| (lean.unwrap_or(placement.lean), messiness.unwrap_or(placement.messiness)))
+    }
+
+    /// How each cell's own plant grows, row by row. `None` where all do as they would by themselves.
+    pub fn map(&self, placement: &PlacementParameters, terrain: &Terrain, patch: [i32; 2], patch_side: f64) -> Option<Box<[Growing]>> {
         let corner = patch.map(|along| f64::from(along) * patch_side);
-        let near = self.near(corner, patch_side)?;
+        let near = self.near(corner, patch_side);
+        let combs: Vec<&Comb> = self.combs.iter().map(|comb| &**comb).filter(|comb| comb.touches(corner, patch_side)).collect();
+        if near.is_none() && combs.is_empty() {
+            return None;
+        }
+        let near = near.unwrap_or_default();
         let grow = |index: u32| {
             let cell = [index % placement.cells, index / placement.cells];
-            let Some(plant) = placement::plant(placement, patch, cell) else { return 0 };
+            let Some(plant) = placement::plant(placement, patch, cell) else { return Growing::default() };
             let [cover, height] = near.growth_at(plant.root, plant.height);
             let gone = cover <= 0.0 || (cover < 1.0 && !placement::stays(placement, patch, cell, cover));
-            if gone || self.too_steep(terrain, [0, 1].map(|axis| corner[axis] + f64::from(plant.root[axis]))) {
-                return 0;
+            let ground = [0, 1].map(|axis| corner[axis] + f64::from(plant.root[axis]));
+            if gone || self.too_steep(terrain, ground) {
+                return Growing::default();
             }
             // At least 1: what grows is not nothing.
-            (height * 254.0) as u8 + 1
+            let share = (height * 254.0) as u8 + 1;
+            match self.combed(&combs, placement, ground) {
+                None => Growing { share, ..Growing::default() },
+                Some((lean, messiness)) => {
+                    let lean = placement::scattered(placement, patch, index, lean, messiness);
+                    Growing { share, lean: comb::hundredths(lean), combed: 1 }
+                }
+            }
         };
         Some((0..placement.cells * placement.cells).map(grow).collect())
     }

@@ -11,7 +11,7 @@ use super::prepare::{Preparing, Who, ordered_cell};
 use crate::geometry::billboard::CLEARANCE;
 use crate::geometry::blade::{self, Stance, piece, piece_bend, raised};
 use crate::math;
-use crate::placement::{self, Plant};
+use crate::placement::{self, Growing, Plant};
 use crate::wind::Phases;
 
 /// A blade, solved: the head of its record in `solve.wgsl`.
@@ -56,6 +56,8 @@ struct Grown {
     /// Its place among the blades of its patch.
     index: u32,
     stance: Stance,
+    /// How its plant leans by itself, rad along x and z.
+    plant: [f32; 2],
     /// Distance to the eye, m.
     away: f32,
     level: usize,
@@ -80,7 +82,7 @@ impl Blades<'_> {
         &self,
         draw: &PatchDraw,
         phases: &Phases,
-        growth: Option<&[u8]>,
+        growth: Option<&[Growing]>,
         now: &Blade,
         level: usize,
         points: &mut [Vec3],
@@ -98,7 +100,7 @@ impl Blades<'_> {
     }
 
     /// The plant a place of the drawing order belongs to, and the number of the blade.
-    fn plant(&self, draw: &PatchDraw, growth: Option<&[u8]>, rank: u32, cell: [u32; 2]) -> Option<(Plant, u32)> {
+    fn plant(&self, draw: &PatchDraw, growth: Option<&[Growing]>, rank: u32, cell: [u32; 2]) -> Option<(Plant, u32)> {
         let prepare = &self.preparing.uniform;
         let placed = placement::plant(&prepare.placement, draw.patch, cell)?;
         let index = cell[1] * prepare.placement.cells + cell[0];
@@ -107,7 +109,7 @@ impl Blades<'_> {
     }
 
     /// What grows at a place of the drawing order and, if `only_seen`, may be seen.
-    fn grown(&self, draw: &PatchDraw, growth: Option<&[u8]>, [number, rank]: [u32; 2], only_seen: bool) -> Option<Grown> {
+    fn grown(&self, draw: &PatchDraw, growth: Option<&[Growing]>, [number, rank]: [u32; 2], only_seen: bool) -> Option<Grown> {
         let (prepare, numbers) = (&self.preparing.uniform, &self.uniform);
         let cell = ordered_cell(rank & ((1 << (2 * prepare.bits)) - 1), prepare.bits);
         if cell.iter().any(|at| *at >= prepare.placement.cells) {
@@ -144,7 +146,7 @@ impl Blades<'_> {
         if only_seen && (stay <= 0.0 || left <= 0.0 || unseen(&numbers.seen, root, height + AROUND)) {
             return None;
         }
-        let yaw = random(4) * std::f32::consts::TAU;
+        let (yaw, lean) = placement::combed(random(4) * std::f32::consts::TAU, most_lean * random(7), placed.lean);
         let (sine, cosine) = math::sin_cos(yaw);
         let level = level(&numbers.distances, away);
         let widened = math::lower(1.0 / math::upper(thin, 1e-6).sqrt(), 2.5);
@@ -159,9 +161,9 @@ impl Blades<'_> {
             draw: number,
             rank,
         };
-        let stance = Stance { heading: [cosine, sine], lean: most_lean * random(7), curl: most_curl * random(8) };
+        let stance = Stance { heading: [cosine, sine], lean, curl: most_curl * random(8) };
         let index = (which * prepare.placement.cells + cell[1]) * prepare.placement.cells + cell[0];
-        Some(Grown { blade, local, tall: placed.height, index, stance, away, level })
+        Some(Grown { blade, local, tall: placed.height, index, stance, plant: placed.lean, away, level })
     }
 
     /// The points of a strip, root first, m relative to the frame origin.
@@ -169,7 +171,8 @@ impl Blades<'_> {
         let segments = (self.preparing.uniform.segments as usize).min(8);
         let mut bends = [[0.0; 2]; 8];
         let Stance { heading, lean, curl } = grown.stance;
-        let who = Who { local: grown.local, tall: grown.tall, index: grown.index, heading, yaw: grown.blade.yaw, lean, curl };
+        let who =
+            Who { local: grown.local, tall: grown.tall, index: grown.index, heading, yaw: grown.blade.yaw, lean, curl, plant: grown.plant };
         self.preparing.bends(draw, phases, &who, &mut bends[..segments]);
         let (pieces, coarse) = (self.uniform.pieces[level], self.uniform.pieces[(level + 1).min(2)]);
         // Where the next number of pieces begins, the strip has its shape already: so nothing pops.

@@ -8,9 +8,10 @@ use glam::{Vec2, Vec3};
 use super::identity;
 use super::plan::{FULL_CELLS, PatchDraw, Seen, THINNING, bits};
 use super::plants::Plant;
-use crate::geometry::billboard::{CLEARANCE, earlier, segment};
+use super::sheets::Rooted;
+use crate::geometry::billboard::{CLEARANCE, earlier, leaning, segment};
 use crate::math;
-use crate::placement::{self, PlacementParameters, Plant as Placed};
+use crate::placement::{self, Growing, PlacementParameters, Plant as Placed};
 use crate::response::StandModel;
 use crate::response::chain::{self, ChainModel, HeldBlade, Standing};
 use crate::response::oscillator::{self, Air, OscillatorCoefficients, Own, Record};
@@ -34,7 +35,7 @@ pub struct PrepareUniform {
     pub camera: [f32; 4],
     /// Segments of the simulation.
     pub segments: u32,
-    /// Segments of the cards.
+    /// Segments of the cards, or pieces along each side of the sheets.
     pub drawn: u32,
     /// The drawing order covers 2^bits cells a side.
     pub bits: u32,
@@ -46,7 +47,7 @@ pub struct PrepareUniform {
     pub full: f32,
     /// Distance beyond which none is, m.
     pub gone: f32,
-    /// Width of a card, m.
+    /// Width of a card or sheet, m.
     pub width: f32,
     /// k_w.
     pub wind_response: f32,
@@ -64,6 +65,8 @@ pub struct PrepareUniform {
     pub unused: [u32; 3],
     /// Of the picture before, for the plants of this one: [`super::identity::Identity::of_stand`]; all 0 in a picture's own preparing.
     pub identity: [u32; 4],
+    /// Columns and rows of the sheets, the rest unused; all 0 for cards.
+    pub sheet: [u32; 4],
 }
 
 impl PrepareUniform {
@@ -71,20 +74,20 @@ impl PrepareUniform {
     pub fn new(world: &World, stand: &StandModel, plain: bool, seen: &Seen, look: &Look) -> Self {
         let Seen { fullness, behind, .. } = *seen;
         let [x, y, z] = seen.eye(world.model.patch_side);
-        let billboard = &stand.species.billboard;
+        let species = &stand.species;
         Self {
             placement: stand.placement,
             grid: world.model.terrain.grid(),
             camera: [x, y, z, 0.0],
-            segments: stand.species.segments(),
-            drawn: if plain { 1 } else { billboard.segments },
+            segments: species.segments(),
+            drawn: if plain { 1 } else { species.pieces() },
             bits: bits(stand.cells),
             layer: first_layer(look.kind),
-            plain: if plain { 0.0 } else { billboard.plain_distance },
+            plain: if plain { 0.0 } else { species.plain_distance() },
             full: FULL_CELLS * stand.spacing as f32,
             gone: look.fade[1],
-            width: billboard.width,
-            wind_response: stand.species.continuum.wind,
+            width: species.width(),
+            wind_response: species.continuum.wind,
             fullness: fullness as f32,
             behind: behind as f32,
             substeps: stand.substeps as f32,
@@ -92,7 +95,19 @@ impl PrepareUniform {
             step: world.state.step as u32,
             unused: [0; 3],
             identity: [0; 4],
+            sheet: species.sheet.as_ref().map_or([0; 4], |sheet| [sheet.columns, sheet.rows, 0, 0]),
         }
+    }
+
+    /// Whether plants are sheets.
+    pub fn is_sheet(&self) -> bool {
+        self.sheet[0] > 0
+    }
+
+    /// Joints of a plant: of a sheet, points of its grid.
+    pub fn joints(&self) -> u32 {
+        let side = self.drawn + 1;
+        if self.is_sheet() { side * side } else { side }
     }
 }
 
@@ -129,6 +144,8 @@ pub(super) struct Who {
     pub(super) lean: f32,
     /// How much more at the tip, rad.
     pub(super) curl: f32,
+    /// How its plant leans by itself, rad along x and z.
+    pub(super) plant: [f32; 2],
 }
 
 /// Cell at a place of the drawing order: bit-reversed Morton, so that any first part of the order is spread evenly.
@@ -211,7 +228,7 @@ impl Preparing<'_> {
     }
 
     /// The growth map of a patch, if it needs one.
-    pub fn growth(&self, draw: &PatchDraw) -> Option<Box<[u8]>> {
+    pub fn growth(&self, draw: &PatchDraw) -> Option<Box<[Growing]>> {
         self.stand.growth_map(self.terrain, draw.patch)
     }
 
@@ -293,7 +310,7 @@ impl Preparing<'_> {
     /// The same where bodies deform billboards: as the middle of the billboard's sheet bends.
     fn sheet_bends(&self, springs: &SpringsModel, draw: &PatchDraw, phases: &Phases, who: &Who, bends: &mut [[f32; 2]]) {
         let (height, slope) = self.terrain.height_and_gradient(draw.anchor, who.local);
-        let plant = Placed { root: who.local, height: who.tall, yaw: who.yaw, tint: 0.0 };
+        let plant = Placed { root: who.local, height: who.tall, yaw: who.yaw, tint: 0.0, lean: who.plant };
         let root = springs.root(&plant, height, slope);
         let target = springs::target_of(springs, &root, self.wind, phases);
         let (co, area) = (&springs.coefficients, self.uniform.placement.cells * self.uniform.placement.cells);
@@ -302,7 +319,8 @@ impl Preparing<'_> {
         let (rows, count) = (co.sides().1, bends.len());
         for (segment, bend) in bends.iter_mut().enumerate() {
             let row = (segment * (rows - 1) + (rows - 1) / 2) / count.max(1);
-            *bend = sheet.tilt(co, [row, row + 1]);
+            let [x, z] = sheet.tilt(co, [row, row + 1]);
+            *bend = [x - who.plant[0], z - who.plant[1]];
         }
     }
 
@@ -313,16 +331,23 @@ impl Preparing<'_> {
         (values.len() == chain.planes() * total).then(|| chain::loaded(values, total, index as usize, chain.coefficients.segments as usize))
     }
 
-    /// Solves the plants of one patch: `draw.count` plants, and `drawn + 1` joints of each. Places without a plant get height 0.
+    /// Solves the plants of one patch: `draw.count` plants, and the joints of each. Places without a plant get height 0.
     pub fn prepare_patch(&self, draw: &PatchDraw, plants: &mut [Plant], joints: &mut [[f32; 4]]) {
         let (phases, growth) = (self.phases(draw), self.growth(draw));
-        let per_plant = self.uniform.drawn as usize + 1;
+        let per_plant = self.uniform.joints() as usize;
         for (rank, (plant, joints)) in plants.iter_mut().zip(joints.chunks_exact_mut(per_plant)).enumerate() {
             *plant = self.prepare_plant(draw, &phases, growth.as_deref(), rank as u32, joints).unwrap_or_default();
         }
     }
 
-    fn prepare_plant(&self, draw: &PatchDraw, phases: &Phases, growth: Option<&[u8]>, rank: u32, joints: &mut [[f32; 4]]) -> Option<Plant> {
+    fn prepare_plant(
+        &self,
+        draw: &PatchDraw,
+        phases: &Phases,
+        growth: Option<&[Growing]>,
+        rank: u32,
+        joints: &mut [[f32; 4]],
+    ) -> Option<Plant> {
         let prepare = &self.uniform;
         let cell = ordered_cell(rank, prepare.bits);
         if cell.iter().any(|at| *at >= prepare.placement.cells) {
@@ -347,15 +372,22 @@ impl Preparing<'_> {
         let height = placed.height * (0.35 + (1.0 - 0.35) * stay);
         let straight = if prepare.plain > 0.0 { math::smoothstep(0.75 * prepare.plain, 0.97 * prepare.plain, away) } else { 0.0 };
         let index = cell[1] * prepare.placement.cells + cell[0];
-        let who = Who { local: placed.root, tall: placed.height, index, heading: [1.0, 0.0], yaw: 0.0, lean: 0.0, curl: 0.0 };
-        self.spine(draw, phases, &who, [ground, height, straight], joints);
+        let (yaw, lean) = placement::combed(0.0, 0.0, placed.lean);
+        let (sine, cosine) = math::sin_cos(yaw);
+        let who = Who { local: placed.root, tall: placed.height, index, heading: [cosine, sine], yaw, lean, curl: 0.0, plant: placed.lean };
+        let width = prepare.width * (0.8 + 0.4 * (placed.tint * 17.3).fract()) * (1.0 / thin.sqrt()).min(2.2) * (0.5 + 0.5 * stay);
+        if prepare.is_sheet() {
+            self.sheet(draw, phases, &Rooted { who, ground, height, straight, yaw: placed.yaw, width }, joints);
+        } else {
+            self.spine(draw, phases, &who, [ground, height, straight], joints);
+        }
         let chance = (placed.tint * 61.7).fract();
         let picture = prepare.layer + ((chance * VARIANTS as f32) as u32).min(VARIANTS - 1);
         Some(Plant {
             root: root.to_array(),
             height,
             yaw: placed.yaw,
-            width: prepare.width * (0.8 + 0.4 * (placed.tint * 17.3).fract()) * (1.0 / thin.sqrt()).min(2.2) * (0.5 + 0.5 * stay),
+            width,
             tint: placed.tint,
             layer: if then { identity::number(prepare.identity, draw.patch, cell[1] * prepare.placement.cells + cell[0]) } else { picture },
         })
@@ -374,7 +406,7 @@ impl Preparing<'_> {
         let bends = &mut bends[..segments.min(8)];
         self.bends(draw, phases, who, bends);
         for (at, bend) in bends.iter().enumerate() {
-            local += Vec3::from(segment(*bend, length));
+            local += Vec3::from(segment(leaning(*bend, who.plant), length));
             local.y = math::upper(local.y, floor(local));
             spine[at + 1] = local;
         }

@@ -5,7 +5,7 @@ use super::continuum::{self, Coefficients, LagCoefficients};
 use super::oscillator::{self, OscillatorModel};
 use super::springs::SpringsModel;
 use crate::growth::Growth;
-use crate::placement::PlacementParameters;
+use crate::placement::{Growing, PlacementParameters};
 use crate::scene::SpeciesModel;
 use crate::state::{Ground, PatchKey};
 use crate::terrain::Terrain;
@@ -45,7 +45,7 @@ pub struct StandModel {
 
 impl StandModel {
     /// The growth map of a patch: see [`Growth::map`].
-    pub fn growth_map(&self, terrain: &Terrain, patch: PatchKey) -> Option<Box<[u8]>> {
+    pub fn growth_map(&self, terrain: &Terrain, patch: PatchKey) -> Option<Box<[Growing]>> {
         self.growth.map(&self.placement, terrain, patch, self.patch_side)
     }
 

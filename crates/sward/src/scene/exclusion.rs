@@ -73,11 +73,17 @@ parameters! {
 }
 
 parameters! {
-    /// A grey picture laid on the ground that says how much grows: a PNG of 8 or 16 bits, at most 2048 pixels a side.
-    /// White (255) changes nothing, black (0) is bare ground; between pixels the shade is interpolated.
+    /// Pictures laid on the ground that say how much grows, and how it lies: PNGs of at most 2048 pixels a side, at least one of the three. Row 0 is the
+    /// edge of least z, column 0 that of least x; between pixels is interpolated. Of masks that overlap the last one says how plants lie.
     pub struct Mask {
-        /// Path of the picture, relative to the scene file's folder or to the folder above that. Row 0 is the edge of least z, column 0 that of least x.
-        path: String = String::new(), "", required;
+        /// Path of a grey picture (8 or 16 bits) of how much grows, relative to the scene file's folder or to the folder above that. White (255) changes
+        /// nothing, black (0) is bare ground.
+        path: String = String::new(), "";
+        /// Path of a coloured picture (8 bits) of the direction in which plants grow: red is along x, green along z, blue up, 128 is none of it.
+        /// (128, 128, 255) is upright, as in a normal map.
+        direction: String = String::new(), "";
+        /// Path of a grey picture of how messy they are: black, all lean alike; white, each up to 0.6 rad some way of its own.
+        messiness: String = String::new(), "";
         /// Position (x, z) of the corner of least x and z.
         at: [f64; 2] = [0.0, 0.0], "m" in -1000000.0..=1000000.0;
         /// Width (x) and length (z) of the whole picture.

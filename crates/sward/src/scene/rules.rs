@@ -178,8 +178,9 @@ fn growth(scene: &Scene) -> Checked {
         return Err(Problem::at(trail.index(MOST_MASKS), message).help("paint several into one picture"));
     }
     each(&scene.masks, &trail, |mask, trail| {
-        if mask.path.is_empty() {
-            return Err(Problem::at(trail.clone().key("path"), "`path` is empty").help("name a PNG, like \"assets/clearing.png\""));
+        if mask.path.is_empty() && mask.direction.is_empty() && mask.messiness.is_empty() {
+            let help = "name a PNG of how much grows, like path: \"assets/clearing.png\", or a `direction`, or a `messiness`";
+            return Err(Problem::at(trail.clone(), "this mask has no picture").help(help));
         }
         known_stands(&mask.stands, &scene.stands, trail)
     })

@@ -6,6 +6,7 @@ use super::chain::ChainOverrides;
 use super::continuum::ContinuumOverrides;
 use super::oscillator::OscillatorOverrides;
 use super::parameters::{choices, parameters};
+use super::sheet::SheetOverrides;
 use super::springs::SpringsOverrides;
 
 choices! {
@@ -45,6 +46,8 @@ choices! {
         Billboard(BillboardOverrides),
         /// Blades: strips of triangles, every one by itself.
         Blade(BladeOverrides),
+        /// One card with a picture of a clump, bent as a smooth surface.
+        Sheet(SheetOverrides),
     }
 }
 
@@ -63,13 +66,18 @@ parameters! {
         clumping: f32 = 0.35, "" in 0.0..=1.0;
         /// Width of a clump.
         clump_size: f32 = 5.0, "m" in 0.5..=100.0;
+        /// Tilt along x and z of plants that nothing moves: how wind, a slope or a mower has combed them. Pictures of a mask's `direction` hold instead
+        /// where they lie.
+        lean: [f32; 2] = [0.0, 0.0], "rad" in -0.8..=0.8;
+        /// How far each plant leans some way of its own: 1 is up to 0.6 rad.
+        messiness: f32 = 0.0, "" in 0.0..=1.0;
         /// Least and greatest plant height. Without it the species' own.
         height: Option<[f32; 2]> = None, "m" in 0.01..=5.0;
         /// Least and greatest steepness of the ground on which it grows, rise over run: 1 is 45 degrees. Without it anywhere.
         slope: Option<[f32; 2]> = None, "" in 0.0..=100.0;
         /// How the plants move, where it differs from the species.
         response: Option<Response> = None, "";
-        /// How the plants look, where it differs from the species.
+        /// How the plants look, where it differs from the species. With response `Springs` they are sheets unless this says otherwise.
         representation: Option<Representation> = None, "";
     }
 }

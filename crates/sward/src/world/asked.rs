@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::model::StandModel;
-use crate::placement::{self, Plant};
+use crate::placement::{self, Growing, Plant};
 use crate::plan::{around, weights};
 use crate::response::chain::{self, ChainModel, Standing};
 use crate::response::continuum;
@@ -62,7 +62,7 @@ impl World {
         let grown = self.grown(index, patch);
         let Some(root) = root_of(&self.model.terrain, stand, springs, grown.as_deref(), patch, cell) else {
             let middle = [cell % stand.cells, cell / stand.cells].map(|at| (at as f32 + 0.5) * stand.placement.spacing);
-            let plant = Plant { root: middle, height: stand.species.height[1], yaw: 0.0, tint: 0.0 };
+            let plant = Plant { root: middle, height: stand.species.height[1], yaw: 0.0, tint: 0.0, lean: stand.placement.lean };
             return target(&springs.root(&plant, 0.0, [0.0; 2])).tilt(co, whole);
         };
         let stored = state.awake.get(&patch).and_then(|awake| pool::stored(co, &state.cells, awake.slot, cell));
@@ -91,7 +91,7 @@ impl World {
         let slot = state.awake.get(&patch).map(|awake| awake.slot as usize);
         let found = slot.and_then(|slot| cells.now.get(slot).zip(cells.ground.get(slot))).zip(plant);
         let [dx, dz] = found.map_or([0.0; 2], |((planes, ground), plant)| {
-            let grown = ground.grown.get(index as usize).map_or(Some(plant), |growth| placement::grown(plant, *growth));
+            let grown = ground.grown.get(index as usize).map_or(Some(plant), |growth| placement::grown(plant, Growing::of_share(*growth)));
             let height = grown.map_or(0.0, |plant| plant.height);
             let own = Own::of(co, placement::variety(&stand.placement, patch, index), height);
             Record::load(planes, planes.len() / 4, index as usize).at(co, &own, self.state.step as u32, 0.0)

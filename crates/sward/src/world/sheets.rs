@@ -10,11 +10,11 @@ use super::World;
 use crate::interaction::distance_map::DistanceMapHead;
 use crate::interaction::solid::WorldSolid;
 use crate::math;
-use crate::model::in_field;
+use crate::placement::Growing;
 use crate::plan::{ActiveSheet, StandPlan};
 use crate::response::continuum::NODE_CELLS;
 use crate::response::springs::{SpringsModel, moments, root_of, target_of};
-use crate::state::{Billboard, PatchKey};
+use crate::state::{Billboard, PatchKey, in_field};
 use crate::wind::WindField;
 
 /// Billboards that bodies may touch, with their distance from the nearest focus, m.
@@ -73,7 +73,7 @@ impl World {
         let stand = &self.model.stands[index];
         let reach = f64::from(stand.species.height[1]) + 0.5 * f64::from(model.width);
         let wind = self.wind(stand);
-        let mut grown: BTreeMap<PatchKey, Option<Box<[u8]>>> = BTreeMap::new();
+        let mut grown: BTreeMap<PatchKey, Option<Box<[Growing]>>> = BTreeMap::new();
         let all = boxes(solids);
         for boxes in &all {
             let cell = |axis: usize, way: f64| ((boxes.all[usize::from(way > 0.0)][2 * axis] + way) / stand.spacing).floor() as i64;
@@ -99,7 +99,7 @@ impl World {
     fn comes_near(
         &self,
         index: usize,
-        (model, wind, grown): (&SpringsModel, &WindField, Option<&[u8]>),
+        (model, wind, grown): (&SpringsModel, &WindField, Option<&[Growing]>),
         (patch, cell): Billboard,
         boxes: &Boxes,
     ) -> Option<f32> {
@@ -134,7 +134,7 @@ impl World {
     }
 
     /// The growth map of a patch, known or worked out.
-    pub(super) fn grown(&self, index: usize, patch: PatchKey) -> Option<Box<[u8]>> {
+    pub(super) fn grown(&self, index: usize, patch: PatchKey) -> Option<Box<[Growing]>> {
         let (stand, known) = (&self.model.stands[index], &self.state.stands[index].cells.grown);
         if stand.growth.is_free() { None } else { known.get(&patch).cloned().or_else(|| stand.growth_map(&self.model.terrain, patch)) }
     }

@@ -10,12 +10,12 @@ use crate::{glb, run, terrains, words};
 const RICH: &str = r#"(
     version: 1, title: "Rich", seed: 9, origin: (3, -4), steps_per_second: 60, field: (patch_side: 8, patches: (40, 30)),
     terrain: Image(path: "hills.png", scale: 0.5, offset: (10, 20)), detail: (amplitude: 0.2, wavelength: 3, octaves: 4, roughness: 0.6, seed: 3),
-    stands: [(species: Reed, name: "a", cells: 16, cover: 0.5, clumping: 0.2, clump_size: 3, height: (0.2, 0.9),
+    stands: [(species: Reed, name: "a", cells: 16, cover: 0.5, lean: (0.1, -0.2), messiness: 0.3, clumping: 0.2, clump_size: 3, height: (0.2, 0.9),
         response: Continuum(frequency: 1.5, damping: 0.4, lag: History)), (species: Tussock, cells: 8, slope: (0.01, 0.9)), (species: Lawn, cells: 8)],
     exclusions: [(area: Road(points: [(-20, 3), (1, 2), (6, -9)], width: 3), soft: 1, above: 0.4, stands: ["a"], colour: (0.1, 0.2, 0.3)),
         (area: Box(at: (2, 1), size: (3, 5), yaw: 0.4)), (area: Polygon(points: [(8, 4), (14, 4), (11, 6)]), soft: 2), (area: Disc(at: (0, 9), radius: 2))],
     masks: [(path: "grey.png", at: (-9, -8), size: (20, 24), height: 0.7, outside: 0.6, stands: ["lawn", "a"], colour: (0.2, 0.1, 0)),
-        (path: "grey.png", size: (5, 5))],
+        (path: "grey.png", direction: "whirl.png", messiness: "grey.png", size: (5, 5))],
     edits: [(at: (3, 1), radius: 4, hardness: 0.5, change: Raise(height: 0.8)), (time: 0.01, at: (1, 2), change: Flatten(height: 12)),
         (time: 0.02, at: (-3, 2), radius: 2, change: Flatten())],
     wind: [Uniform(velocity: (1, 2)), Natural(velocity: (-3, 1), turbulence: 0.4), Footprint(flow: Swirl, radius: 9, follow: "b"),
@@ -55,6 +55,8 @@ fn files() -> Files {
         ("whirl.png", terrains::directions()),
         ("grey.png", terrains::shades()),
         ("walker.glb", glb::walker().bytes()),
+        ("assets/torus.glb", glb::walker().bytes()),
+        ("assets/walker.glb", glb::walker().bytes()),
     ])
 }
 

@@ -124,6 +124,20 @@ fn wind_pngs_never_panic() {
 }
 
 #[test]
+fn direction_pngs_never_panic() {
+    let files = [directions(), shades(), png(DynamicImage::new_rgb8(1, 1)), png(DynamicImage::new_rgb16(3, 2))];
+    let combed = |file: Vec<u8>| {
+        let text = "(version: 1, field: (patch_side: 8), stands: [(species: Lawn, cells: 8)], budget: (patches: 9),
+            masks: [(direction: \"a.png\", at: (-9, -7), size: (15, 20))],
+            interactors: [(shape: Sphere(radius: 1), path: Circle(radius: 3, speed: 4))])";
+        used(Scene::parse(text, "comb.ron").expect("a scene"), &Files(vec![("a.png", file)]))
+    };
+    assert!(combed(directions()) && !combed(shades()), "control");
+    let tally = run("direction PNG", 0.04, |chance| combed(sealed(chance.pick(&files).clone(), &files, chance)));
+    tally.is_mixed(0.005);
+}
+
+#[test]
 fn mask_pngs_never_panic() {
     let files = [shades(), heights(), png(DynamicImage::new_luma8(1, 1)), png(DynamicImage::new_luma16(40, 2)), directions()];
     let grown = |file: Vec<u8>| {

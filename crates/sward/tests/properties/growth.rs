@@ -15,7 +15,7 @@ const YARD: &str = "(area: Polygon(points: [(8, 4), (14, 4), (14, 12), (11, 6), 
 const POND: &str = "(area: Disc(at: (0, 11), radius: 2.5))";
 
 /// Plants of the 5 × 5 patches round the origin, roots in m from it.
-fn plants(world: &World, stand: usize) -> Vec<Plant> {
+pub(crate) fn plants(world: &World, stand: usize) -> Vec<Plant> {
     let (model, mut found) = (&world.model.stands[stand], Vec::new());
     for patch in (0..25).map(|k| [k % 5 - 2, k / 5 - 2]) {
         let map = model.growth_map(&world.model.terrain, patch);
@@ -135,7 +135,7 @@ fn plants_grow_below_a_bridge_and_only_the_stands_named_are_kept_away() {
 }
 
 /// A PNG of given grey values.
-struct Grey(u32, u32, Vec<u8>);
+pub(crate) struct Grey(pub(crate) u32, pub(crate) u32, pub(crate) Vec<u8>);
 
 impl Assets for Grey {
     fn read(&self, _: &str) -> Result<Vec<u8>, String> {

@@ -5,6 +5,7 @@ mod common;
 
 mod activation;
 mod callers;
+mod combs;
 mod downwash;
 mod edits;
 mod far;

@@ -20,14 +20,16 @@ fn a_car_lays_plants_down() {
         let seen = pass(&coefficients(3, 3), &car, &row(0.9, length), 8.0, None);
         seen.print(name);
         assert!(seen.touched > 300, "it must touch: {seen:?}");
-        assert!(seen.deepest < 0.015, "{seen:?}");
+        // No vertex moves on more than 1.5 times as fast as the car, which itself moves L/3 a frame (lawn: 2.7 L).
+        assert!(seen.deepest < 0.025, "{seen:?}");
+        assert!(seen.jump < if length > 0.1 { 0.57 } else { 1.01 }, "{seen:?}");
         assert!(seen.stretch < 1e-3 && seen.lowest > 0.9e-3, "{seen:?}");
     }
 }
 
 fn a_fast_car_is_met_at_several_moments() {
     let co = coefficients(3, 3);
-    for (speed, most) in [(15.0, 0.05), (30.0, 0.05)] {
+    for (speed, most) in [(15.0, 0.01), (30.0, 0.01)] {
         let car = block("car", Vec3::new(1.8, 1.4, 4.4), 0.2, 64);
         let seen = pass(&co, &car, &row(0.9, 0.4), speed, None);
         let once = pass(&co, &car, &row(0.9, 0.4), speed, Some(1));

@@ -28,6 +28,16 @@ pub(crate) fn blade_pass() -> String {
     CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Blade(blades: 12, width: 0.02),")
 }
 
+/// The same pass through sheets.
+pub(crate) fn sheet_pass() -> String {
+    CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Sheet(),")
+}
+
+/// The same pass through billboards that bodies deform, drawn as the sheets they are.
+pub(crate) fn deformed_pass() -> String {
+    CAR_PASS.replace("species: Meadow,", "species: Meadow, response: Springs(),")
+}
+
 /// Size of the pictures, pixels.
 pub(crate) const SIZE: [u32; 2] = [320, 180];
 /// The two frames, of 24 a second: whole steps, and how far before that the frame lies.
@@ -163,9 +173,14 @@ impl Pair {
 
     /// The motion of the pixels of a kind, and what it should be; `None` where there is nothing to compare with.
     pub(crate) fn exact(&self, kind: Kind) -> Vec<Option<[DVec2; 2]>> {
+        self.exact_of(|at| self.kinds[at] == kind)
+    }
+
+    /// The same of some pixels.
+    pub(crate) fn exact_of(&self, of: impl Fn(usize) -> bool) -> Vec<Option<[DVec2; 2]>> {
         let (later, identity) = (&self.frames[1], Identity::of(&self.world));
         let both = |at: usize| Some([given(later, at), exact::motion(&self.world, &identity, self.moments.each_ref(), later, at)?]);
-        (0..later.plant.len()).filter(|at| self.kinds[*at] == kind).map(both).collect()
+        (0..later.plant.len()).filter(|at| of(*at)).map(both).collect()
     }
 }
 

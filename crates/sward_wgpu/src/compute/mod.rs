@@ -262,7 +262,8 @@ impl GpuStep {
         }
         if let (Some(oscillator), Some(passes)) = (&stand.oscillator, &self.swings) {
             for patch in plan.patches.iter().filter(|patch| (patch.woken || patch.edited) && !stand.growth.is_free()) {
-                let grown = stand.growth_map(&world.model.terrain, patch.patch).unwrap_or_default();
+                let map = stand.growth_map(&world.model.terrain, patch.patch).unwrap_or_default();
+                let grown: Vec<u8> = map.iter().map(|growing| growing.share).collect();
                 self.work.uploaded += grown.len() as u64;
                 cells.grow_plants(gpu, patch.slot, &grown);
             }

@@ -179,7 +179,7 @@ fn touch_pass(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) 
     var plant = placement_plant(stand.placement, entry.patch_index, cell);
     if stand.growing != 0u {
         let word = grown[(entry.slot * side * side + index) / 4u];
-        plant = placement_grown(plant, (word >> (8u * (index & 3u))) & 0xffu);
+        plant = placement_grown(plant, vec4<u32>((word >> (8u * (index & 3u))) & 0xffu, 0u, 0u, 0u));
     }
     if !plant.present {
         return;

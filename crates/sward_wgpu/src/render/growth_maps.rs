@@ -1,8 +1,10 @@
-//! Growth maps of the patches in sight: squares of a texture, a byte a cell. Patches that nothing limits have none.
+//! Growth maps of the patches in sight: squares of a texture, a byte a cell, or four where pictures say how plants lie. Patches that nothing limits
+//! have none.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use sward::picture::plan::PatchDraw;
+use sward::placement::Growing;
 use sward::response::StandModel;
 use sward::state::{NONE, PatchKey};
 use sward::world::World;
@@ -15,6 +17,7 @@ pub struct GrowthMaps {
     /// What `prepare.wgsl` reads.
     pub view: wgpu::TextureView,
     side: u32,
+    combed: bool,
     /// Place of each patch; `NONE` for those without a map.
     places: BTreeMap<PatchKey, u32>,
     free: BTreeSet<u32>,
@@ -25,7 +28,7 @@ pub struct GrowthMaps {
     pub made: u64,
 }
 
-fn texture(gpu: &Gpu, side: u32, room: u32) -> wgpu::Texture {
+fn texture(gpu: &Gpu, side: u32, combed: bool, room: u32) -> wgpu::Texture {
     let columns = columns(gpu, side).min(room.max(1));
     gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("growth maps"),
@@ -33,7 +36,8 @@ fn texture(gpu: &Gpu, side: u32, room: u32) -> wgpu::Texture {
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: wgpu::TextureFormat::R8Uint,
+        // What the narrow one lacks is 0 but for the last, which then says nothing.
+        format: if combed { wgpu::TextureFormat::Rgba8Uint } else { wgpu::TextureFormat::R8Uint },
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     })
@@ -47,10 +51,11 @@ fn columns(gpu: &Gpu, side: u32) -> u32 {
 impl GrowthMaps {
     /// No maps yet.
     pub fn new(gpu: &Gpu, stand: &StandModel) -> Self {
-        let texture = texture(gpu, stand.cells, 1);
+        let combed = !stand.growth.combs.is_empty();
+        let texture = texture(gpu, stand.cells, combed, 1);
         let view = texture.create_view(&Default::default());
         let (places, free) = (BTreeMap::new(), BTreeSet::new());
-        Self { texture, view, side: stand.cells, places, free, room: 0, edits: 0, made: 0 }
+        Self { texture, view, side: stand.cells, combed, places, free, room: 0, edits: 0, made: 0 }
     }
 
     /// Makes the maps that the patches of a picture still lack, and tells each patch where its own is.
@@ -101,19 +106,21 @@ impl GrowthMaps {
         let grows = wanted > self.room;
         if grows {
             self.room = wanted.next_power_of_two();
-            self.texture = texture(gpu, self.side, self.room);
+            self.texture = texture(gpu, self.side, self.combed, self.room);
             self.view = self.texture.create_view(&Default::default());
         }
         grows
     }
 
-    fn write(&self, gpu: &Gpu, place: u32, map: &[u8]) {
+    fn write(&self, gpu: &Gpu, place: u32, map: &[Growing]) {
         let columns = self.texture.width() / self.side;
         let origin = wgpu::Origin3d { x: place % columns * self.side, y: place / columns * self.side, z: 0 };
+        let shares: Vec<u8> = if self.combed { Vec::new() } else { map.iter().map(|growing| growing.share).collect() };
+        let (bytes, row) = if self.combed { (bytemuck::cast_slice(map), 4 * self.side) } else { (&shares[..], self.side) };
         gpu.queue.write_texture(
             wgpu::TexelCopyTextureInfo { texture: &self.texture, mip_level: 0, origin, aspect: wgpu::TextureAspect::All },
-            map,
-            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(self.side), rows_per_image: None },
+            bytes,
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None },
             wgpu::Extent3d { width: self.side, height: self.side, depth_or_array_layers: 1 },
         );
     }

@@ -19,7 +19,7 @@ fn sheet_root(draw: PatchDraw, who: Who) -> SheetRoot {
     let ground = terrain_height_and_gradient(prepare.grid, draw.anchor, who.local);
     let turn = math_sin_cos(who.yaw);
     let half_ = 0.5 * deformed.width;
-    return SheetRoot(who.local.x, ground.x, who.local.y, who.tall, vec2<f32>(half_ * turn.y, half_ * turn.x), ground.yz, vec2<f32>(0.0), vec2<f32>(0.0));
+    return SheetRoot(who.local.x, ground.x, who.local.y, who.tall, vec2<f32>(half_ * turn.y, half_ * turn.x), ground.yz, who.plant, vec2<f32>(0.0));
 }
 
 /// Its sheet at the moment of the picture.
@@ -57,6 +57,6 @@ fn plant_bends(which: u32, who: Who, bends: ptr<function, array<vec2<f32>, 8>>) 
         let high = sheet.at[min(row + 1u, rows - 1u) * columns + columns / 2u];
         let way = high - low;
         let level = sqrt(way.x * way.x + way.z * way.z);
-        (*bends)[segment] = way.xz * (math_atan2(level, way.y) / max(level, 1e-9));
+        (*bends)[segment] = way.xz * (math_atan2(level, way.y) / max(level, 1e-9)) - who.plant;
     }
 }

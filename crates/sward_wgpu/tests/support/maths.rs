@@ -6,7 +6,7 @@ use sward::growth::{self, GrowthRecord, cover_at};
 use sward::interaction::{self, contact_at};
 use sward::math;
 use sward::model::NoAssets;
-use sward::placement::{self, PlacementParameters};
+use sward::placement::{self, Growing, PlacementParameters};
 use sward::plan::StandPlan;
 use sward::scene::Scene;
 use sward::scene::{Change, Edit, Raise};
@@ -199,28 +199,63 @@ fn terrain_of(gpu: &Gpu, name: &'static str, detail: terrain::Detail, edits: &[E
 
 /// Whether a plant stands is decided by a comparison with a smooth number: one in 10⁵ may fall the other way.
 pub(crate) fn plants_placed(gpu: &Gpu) -> Verdict {
-    let parameters = PlacementParameters { seed: 77, cells: 64, spacing: 0.25, cover: 0.8, height: [0.3, 0.5], clumping: 0.45, clumps: 3 };
+    let parameters = PlacementParameters {
+        seed: 77,
+        cells: 64,
+        spacing: 0.25,
+        cover: 0.8,
+        height: [0.3, 0.5],
+        clumping: 0.45,
+        clumps: 3,
+        lean: [0.7, -0.5],
+        messiness: 0.8,
+        unused: 0.0,
+    };
     let rust = |n: u32, input: &mut Vec<u32>| {
         let mut random = Random::new(n);
         let patch = [random.whole(-9000, 9000), random.whole(-9000, 9000)];
         let cell = [random.whole(0, 64) as u32, random.whole(0, 64) as u32];
+        let (share, combed) = (random.whole(0, 256) as u8, random.whole(0, 2) as u8);
+        let growing = Growing { share, combed, lean: [0, 1].map(|_| random.whole(-127, 128) as i8) };
+        let (yaw, lean) = (random.float(0.0, 6.3), random.float(0.0, 0.5));
         input.extend(random.words);
-        match placement::plant(&parameters, patch, cell) {
-            Some(plant) => bits([1.0, plant.root[0], plant.root[1], plant.height, plant.yaw, plant.tint]),
-            None => bits([0.0; 6]),
+        match placement::plant(&parameters, patch, cell).and_then(|plant| placement::grown(plant, growing)) {
+            Some(plant) => {
+                let stands = placement::combed(yaw, lean, plant.lean);
+                bits([
+                    1.0,
+                    plant.root[0],
+                    plant.root[1],
+                    plant.height,
+                    plant.yaw,
+                    plant.tint,
+                    plant.lean[0],
+                    plant.lean[1],
+                    stands.0,
+                    stands.1,
+                ])
+            }
+            None => bits([0.0; 10]),
         }
     };
     let host = "
     @group(0) @binding(2) var<storage, read> parameters: PlacementParameters;
     fn twin() {
         let patch_index = next_w();
-        let plant = placement_plant(parameters, patch_index, vec2<u32>(next_w()));
+        let cell = vec2<u32>(next_w());
+        let share = vec2<u32>(next_w());
+        let growing = vec4<u32>(share, vec2<u32>(next_w()) & vec2<u32>(0xffu));
+        let plant = placement_grown(placement_plant(parameters, patch_index, cell), growing);
+        let yaw = next_f();
+        let stands = placement_combed(yaw, next_f(), plant.lean);
         let present = f32(plant.present);
         put_f(present);
         put_v(present * plant.root);
         put_f(present * plant.height);
         put_f(present * plant.yaw);
         put_f(present * plant.tint);
+        put_v(present * plant.lean);
+        put_v(present * stands);
     }";
     let tables: &[&[u8]] = &[bytemuck::bytes_of(&parameters)];
     let tolerance = Tolerance { p999: 2e-6, rms: 1e-2, outlier: 4e-6, share: 1e-5 };

@@ -15,8 +15,8 @@ use crate::glb;
 use crate::kernels::judge;
 use crate::runs::{Backend, agree, cells, world};
 
-/// Agreement of vertices after one step from the same state, m: bodies and sheets half a metre long, in `f32`.
-const ONE_STEP: Tolerance = Tolerance { p999: 2e-5, rms: 2e-6, outlier: 1e-4, share: 5e-4 };
+/// Agreement of vertices after one step from the same state, m: sheets half a metre long, in `f32`. One in thousands goes another way.
+const ONE_STEP: Tolerance = Tolerance { p999: 2e-5, rms: 1e-4, outlier: 1e-4, share: 5e-4 };
 
 /// A ball with long axes walks over hills in gusts, and grass recovers behind it.
 const WALKER: &str = r#"(version: 1, field: (patch_side: 16), terrain: Image(path: "assets/jacksboro.png", scale: 0.03125),

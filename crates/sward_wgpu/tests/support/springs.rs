@@ -359,12 +359,12 @@ pub(crate) fn pushes(gpu: &Gpu) -> Verdict {
 /// Columns that lie down, no farther than they may. Whether a vertex lies in a body rounding may decide, at each of six halvings.
 pub(crate) fn lays(gpu: &Gpu) -> Verdict {
     let wgsl = "springs_lay(co, maps, root, 0u, SPRINGS_NOW, heading);
-        springs_spread(co, root, SPRINGS_NOW);";
+        springs_spread(co, root, 1u, SPRINGS_NOW);";
     let tolerance = Tolerance { p999: 1e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
     check(gpu, &Part { name: "columns that lie down", wgsl, tolerance }, |co, root, maps, heading, sheet, faces| {
         let before = *sheet;
         springs::lay(co, root, maps, 0, sheet, faces, heading);
-        springs::spread(co, root, &before, sheet);
+        springs::spread(co, root, 1, &before, sheet);
         *sheet != before
     })
 }

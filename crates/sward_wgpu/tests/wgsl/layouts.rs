@@ -108,7 +108,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
     let patch = layout!(AwakePatch {
         slot, lag, held, flags, neighbours, patch as "patch_index", pair_first, pair_count, keep, dither, safe, unused
     });
-    let parameters = layout!(PlacementParameters { seed, cells, spacing, cover, height, clumping, clumps });
+    let parameters = layout!(PlacementParameters { seed, cells, spacing, cover, height, clumping, clumps, lean, messiness, unused });
     let uniform = layout!(PrepareUniform {
         placement,
         grid,
@@ -127,7 +127,8 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         substeps,
         lag,
         step,
-        identity
+        identity,
+        sheet
     });
     let draw = layout!(PatchDraw { offset, patch as "patch_index", anchor, weights, slots, lags, first, count, growth });
     let frame = layout!(FrameUniform {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sward::geometry::{billboard, blade, card, relief};
+use sward::geometry::{billboard, blade, card, relief, sheet};
 use sward::response::{chain, continuum, oscillation, oscillator, springs};
 use sward::{growth, interaction, math, placement, shading, terrain, wind};
 
@@ -57,6 +57,7 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("oscillator", [&[math::WGSL, interaction::WGSL, CONTACT_STUB, oscillation::WGSL, AIR_STUB], &oscillator::WGSL[..]].concat()),
         ("oscillator's poses", [&[math::WGSL, oscillation::WGSL, AIR_STUB], &oscillator::POSE_WGSL[..]].concat()),
         ("card", vec![math::WGSL, card::WGSL]),
+        ("sheet", vec![sheet::WGSL]),
         ("blade", vec![math::WGSL, billboard::WGSL, blade::WGSL]),
         ("relief", vec![RELIEF_STUB, relief::WGSL]),
         ("shading/common", vec![shading::COMMON_WGSL]),

@@ -2,12 +2,12 @@
 
 use super::room::Room;
 use crate::growth::Growth;
-use crate::model::in_field;
-use crate::placement::{grown, plant};
+use crate::placement::{Growing, grown, plant};
 use crate::response::StandModel;
 use crate::scene::{Billboard, Blade};
 use crate::shading::clump::{Clump, SIDE, paint};
 use crate::shading::look::Look;
+use crate::state::in_field;
 use crate::terrain::Terrain;
 use crate::world::World;
 
@@ -107,7 +107,7 @@ fn plants(room: &Room, stand: &StandModel, terrain: &Terrain, field: Option<[[i3
                 let Some(grown) = inside
                     .then(|| plant(&stand.placement, [x, z], cell))
                     .flatten()
-                    .and_then(|plant| grown(plant, growth.as_ref().map_or(255, |map| map[index as usize])))
+                    .and_then(|plant| grown(plant, growth.as_ref().map_or(Growing::of_share(255), |map| map[index as usize])))
                 else {
                     continue;
                 };
@@ -118,7 +118,7 @@ fn plants(room: &Room, stand: &StandModel, terrain: &Terrain, field: Option<[[i3
     }
 }
 
-fn map(growth: &Growth, stand: &StandModel, terrain: &Terrain, patch: [i32; 2]) -> Option<Box<[u8]>> {
+fn map(growth: &Growth, stand: &StandModel, terrain: &Terrain, patch: [i32; 2]) -> Option<Box<[Growing]>> {
     growth.map(&stand.placement, terrain, patch, stand.patch_side)
 }
 

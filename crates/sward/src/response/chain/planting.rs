@@ -1,7 +1,7 @@
 //! Where the blades of a patch stand: worked out when bodies reach it, on the CPU, so that all backends push the same blades.
 
 use super::model::Stances;
-use crate::placement::{self, PlacementParameters};
+use crate::placement::{self, Growing, PlacementParameters};
 use crate::state::{PatchKey, Root};
 use crate::terrain::Terrain;
 
@@ -10,7 +10,7 @@ pub fn roots(
     stances: &Stances,
     placement: &PlacementParameters,
     terrain: &Terrain,
-    growth: Option<&[u8]>,
+    growth: Option<&[Growing]>,
     patch: PatchKey,
     patch_side: f64,
 ) -> Box<[Root]> {
@@ -28,11 +28,12 @@ pub fn roots(
                 anywhere + (plant.root[axis] - anywhere) * stances.tuft
             });
             let (height, slope) = terrain.height_and_gradient(anchor, local);
+            let (yaw, lean) = placement::combed(random(4) * stances.turn, stances.lean * random(7), plant.lean);
             roots[(which * area + index) as usize] = Root {
                 at: [local[0], height, local[1]],
                 length: plant.height * (stances.shortest + (1.0 - stances.shortest) * random(3)),
-                yaw: random(4) * stances.turn,
-                lean: stances.lean * random(7),
+                yaw,
+                lean,
                 curl: stances.curl * random(8),
                 unused: 0.0,
                 slope,

@@ -7,7 +7,7 @@ use super::model::{OscillatorCoefficients, OscillatorModel};
 use super::swing::{Own, Record};
 use super::touch::{Plant, touch};
 use crate::math;
-use crate::placement;
+use crate::placement::{self, Growing};
 use crate::plan::{PatchPlan, StandPlan};
 use crate::response::continuum::{self, NODE_CELLS};
 use crate::response::each::each;
@@ -25,7 +25,10 @@ pub fn sizes(model: &OscillatorModel, cells: u32) -> [usize; 2] {
 /// The ground under the cells of a patch, and how far each one's plant has grown.
 pub fn ground_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
     let grown = if patch == TILE { None } else { stand.growth_map(terrain, patch) };
-    Ground { grown: grown.unwrap_or_default(), ..continuum::shape_of(terrain, stand, patch) }
+    Ground {
+        grown: grown.iter().flat_map(|map| map.iter().map(|growing| growing.share)).collect(),
+        ..continuum::shape_of(terrain, stand, patch)
+    }
 }
 
 /// Makes room for the slots a plan names.
@@ -154,7 +157,7 @@ impl Touching<'_> {
         }
         let (placement, side) = (&self.stand.placement, self.stand.cells as usize);
         let plant = placement::plant(placement, self.patch.patch, cell)?;
-        let plant = self.ground.grown.get(index).map_or(Some(plant), |growth| placement::grown(plant, *growth))?;
+        let plant = self.ground.grown.get(index).map_or(Some(plant), |growth| placement::grown(plant, Growing::of_share(*growth)))?;
         let spacing = placement.spacing;
         let slope = self.ground.slope(side, index);
         let off = [0, 1].map(|axis: usize| plant.root[axis] - (cell[axis] as f32 + 0.5) * spacing);

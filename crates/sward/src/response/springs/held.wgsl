@@ -10,6 +10,8 @@ const SPRINGS_STANDING: u32 = 1u;
 const SPRINGS_NOW: u32 = 2u;
 const SPRINGS_BEFORE: u32 = 3u;
 const SPRINGS_SPARE: u32 = 4u;
+// What a moment has come to at first: nobody needs the stored one any more.
+const SPRINGS_TRIED: u32 = 0u;
 
 fn springs_at(sheet: u32, vertex: u32) -> vec3<f32> {
     let first = vertex * SPRINGS_ROOM + 3u * sheet;

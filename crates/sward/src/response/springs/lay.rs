@@ -4,15 +4,17 @@
 //! always does, since a body ends there. Reads distance maps. Writes vertices. Twin: `lay.wgsl`. Not in the paper.
 
 use super::lengths::{flat, on_ground, placed};
-use super::push::{Faces, Maps, TOLERANCE};
+use super::push::{Faces, Maps, TOLERANCE, stride};
 use super::sheet::{Sheet, SheetRoot, SpringsCoefficients};
 use super::vector::{between, minus, plus, size, unit};
 use crate::math;
 
 /// Halvings in search of how far a segment turns: to 1/64.
 const HALVINGS: u32 = 6;
-/// Farthest a vertex moves in a moment of a step, as a share of a column's length.
-pub const SPREAD: f32 = 0.3;
+/// Farthest a vertex moves in a step, as a share of a column's length.
+pub const SPREAD: f32 = 0.34;
+/// Where bodies are so fast that this is more: farthest it moves from moment to moment, as a share of the way of a body.
+pub const AHEAD: f32 = 1.5;
 
 /// The deepest vertex of a column, m.
 #[inline(always)]
@@ -95,10 +97,10 @@ impl Fall<'_> {
     }
 }
 
-/// Moves of more than [`SPREAD`] column lengths end there: from root to tip a segment turns only so far from where it was.
-pub fn spread(co: &SpringsCoefficients, root: &SheetRoot, before: &Sheet, sheet: &mut Sheet) {
+/// Moves that are too long end where they may: from root to tip a segment turns only so far from where it was, at one of `count` moments.
+pub fn spread(co: &SpringsCoefficients, root: &SheetRoot, count: u32, before: &Sheet, sheet: &mut Sheet) {
     let (columns, rows) = co.sides();
-    let (segment, most) = (root.segment(co), SPREAD * root.length);
+    let (segment, most) = (root.segment(co), math::upper(SPREAD * root.length / count as f32, AHEAD * stride(root.length)));
     let wanted = *sheet;
     for vertex in columns..columns * rows {
         let (below, was) = (sheet.at[vertex - columns], before.at[vertex]);

@@ -2,7 +2,10 @@
 // Needs math, distance_map, vector, sheet, lengths, held, push.
 
 const SPRINGS_HALVINGS: u32 = 6u;
-const SPRINGS_SPREAD: f32 = 0.3;
+const SPRINGS_SPREAD: f32 = 0.34;
+const SPRINGS_AHEAD: f32 = 1.5;
+const SPRINGS_STRIDE: f32 = 0.05;
+const SPRINGS_STRIDE_SHARE: f32 = 0.25;
 
 fn springs_column_depth(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, moment: u32, sheet: u32, column: u32) -> f32 {
     var most = 0.0;
@@ -115,10 +118,11 @@ fn springs_lay(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, mome
 }
 
 // Nothing moves farther from where it was before the moment than its share.
-fn springs_spread(co: SpringsCoefficients, root: SheetRoot, sheet: u32) {
+fn springs_spread(co: SpringsCoefficients, root: SheetRoot, count: u32, sheet: u32) {
     let columns = springs_columns(co);
     let segment = springs_segment(co, root);
-    let most = SPRINGS_SPREAD * root.length;
+    let stride = math_upper(math_lower(SPRINGS_STRIDE, SPRINGS_STRIDE_SHARE * root.length), 1e-4);
+    let most = math_upper(SPRINGS_SPREAD * root.length / f32(count), SPRINGS_AHEAD * stride);
     springs_copy(co, sheet, SPRINGS_SPARE);
     for (var vertex = columns; vertex < springs_vertices(co); vertex++) {
         let below = springs_at(sheet, vertex - columns);

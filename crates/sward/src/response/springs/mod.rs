@@ -33,7 +33,7 @@ mod sweep;
 mod vector;
 mod wind;
 
-pub use lay::{SPREAD, lay, spread};
+pub use lay::{AHEAD, SPREAD, lay, spread};
 pub use lengths::pass;
 pub use model::SpringsModel;
 pub use push::{Faces, MOST_MOMENTS, Maps, TOLERANCE, TRODDEN, exit, moments, push};

@@ -19,17 +19,23 @@ pub const TRODDEN: f32 = 2.0 * CLEAR;
 /// The way out that leads down to the ground; the faces are 1 to 6, none is 0.
 const DOWN: u8 = 7;
 
-/// Farthest a body moves between two moments of a step, m, and as a share of a column's length.
-const STRIDE: [f32; 2] = [0.05, 0.25];
+/// Farthest a body moves between two moments of a step, m.
+const STRIDE: f32 = 0.05;
+/// The same, as a share of a column's length.
+const STRIDE_SHARE: f32 = 0.25;
 /// Most moments of a step.
 pub const MOST_MOMENTS: u32 = 8;
+
+/// Farthest a body moves between two moments of a step among columns of `length` m, m.
+pub(super) fn stride(length: f32) -> f32 {
+    math::upper(math::lower(STRIDE, STRIDE_SHARE * length), 1e-4)
+}
 
 /// At how many moments of a step a body is taken that moves `way` m in it, the last one its end, for columns of `length` m: a fast one would
 /// pass vertices by, or leave them no time to lie down.
 pub fn moments(way: f32, length: f32) -> u32 {
-    let stride = math::upper(math::lower(STRIDE[0], STRIDE[1] * length), 1e-4);
     // Hair's breadths more than a whole number are rounding.
-    let count = math::clamped(way / stride - 1e-3, 0.0, (MOST_MOMENTS - 1) as f32);
+    let count = math::clamped(way / stride(length) - 1e-3, 0.0, (MOST_MOMENTS - 1) as f32);
     math::floored(count) as u32 + 1
 }
 

@@ -6,7 +6,7 @@ use super::push::Maps;
 use super::sheet::{Sheet, SheetRoot};
 use super::step::{HeldSheet, step};
 use super::wind::pose;
-use crate::placement;
+use crate::placement::{self, Growing};
 use crate::plan::{ActiveSheet, StandPlan};
 use crate::response::continuum::NODE_CELLS;
 use crate::response::each::each;
@@ -20,7 +20,7 @@ pub fn root_of(
     terrain: &Terrain,
     stand: &StandModel,
     model: &SpringsModel,
-    grown: Option<&[u8]>,
+    grown: Option<&[Growing]>,
     patch: PatchKey,
     cell: u32,
 ) -> Option<SheetRoot> {

@@ -12,6 +12,10 @@ use super::sweep::sweep;
 
 /// Rounds of push-out and length pass in a moment.
 pub const ROUNDS: u32 = 8;
+/// How deep a vertex may be left before the other way is tried, m.
+const DEEP: f32 = 2e-3;
+/// Times as many rounds that one is given: it asks for small moves.
+const PATIENCE: u32 = 4;
 
 /// What a step changes of a billboard.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +74,8 @@ pub fn step(co: &SpringsCoefficients, root: &SheetRoot, maps: &Maps, target: &Sh
     }
 }
 
-/// Out of the bodies of one moment: springs, then push-out and lengths in turn; what is left lies down; nothing jumps.
+/// Out of the bodies of one moment: springs, then push-out and lengths in turn; what is left lies down; nothing jumps. Where that leaves a vertex
+/// deep in a body, since the way led farther than it may move, the sheet as it was goes the shortest way instead, without springs.
 pub fn resolve(
     co: &SpringsCoefficients,
     root: &SheetRoot,
@@ -89,16 +94,29 @@ pub fn resolve(
         *fixed = maps.is_under(root, moment, *at);
         *face = if maps.depth(root, moment, *at) > TOLERANCE { *face } else { 0 };
     }
-    for _ in 0..co.iterations {
-        *sheet = sweep(co, root, sheet, &fixed);
-    }
-    for _ in 0..ROUNDS {
-        let moved = push(co, root, maps, moment, sheet, faces);
-        pass(co, root, sheet);
-        if !moved {
+    let mut least = f32::MAX;
+    for attempt in 0..2 {
+        let (mut moved, mut left) = (before, if attempt == 0 { *faces } else { [0; MOST_VERTICES] });
+        for _ in 0..if attempt == 0 { co.iterations } else { 0 } {
+            moved = sweep(co, root, &moved, &fixed);
+        }
+        for _ in 0..if attempt == 0 { ROUNDS } else { PATIENCE * ROUNDS } {
+            let pushed = push(co, root, maps, moment, &mut moved, &mut left);
+            pass(co, root, &mut moved);
+            if !pushed {
+                break;
+            }
+        }
+        if attempt == 0 {
+            lay(co, root, maps, moment, &mut moved, &left, heading);
+        }
+        spread(co, root, maps.last() + 1, &before, &mut moved);
+        let deepest = maps.deepest(co, root, moment, &moved);
+        if deepest < least {
+            (least, *sheet, *faces) = (deepest, moved, left);
+        }
+        if least <= DEEP {
             break;
         }
     }
-    lay(co, root, maps, moment, sheet, faces, heading);
-    spread(co, root, &before, sheet);
 }

@@ -1,6 +1,8 @@
 // One step of one billboard. Twin: step.rs, where everything is explained. Needs all others but surface.
 
 const SPRINGS_ROUNDS: u32 = 8u;
+const SPRINGS_DEEP: f32 = 2e-3;
+const SPRINGS_PATIENCE: u32 = 4u;
 
 // What a step comes to: bodies touch the sheet, it would recover into one, or nothing hinders it.
 const SPRINGS_TOUCHED: u32 = 0u;
@@ -31,6 +33,24 @@ fn springs_begin(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, st
     return SPRINGS_FREE;
 }
 
+// Begins a moment anew, by no way that was taken before; remembers what has come of it, ways in the place of what vertices lie in.
+fn springs_try_again(co: SpringsCoefficients) {
+    for (var vertex = 0u; vertex < springs_vertices(co); vertex++) {
+        springs_put(SPRINGS_TRIED, vertex, springs_at(SPRINGS_NOW, vertex));
+        springs_put_lying(vertex, springs_left(vertex));
+        springs_put(SPRINGS_NOW, vertex, springs_at(SPRINGS_BEFORE, vertex));
+        springs_put_left(vertex, 0u);
+    }
+}
+
+// Takes what had come of a moment at first.
+fn springs_go_back(co: SpringsCoefficients) {
+    for (var vertex = 0u; vertex < springs_vertices(co); vertex++) {
+        springs_put(SPRINGS_NOW, vertex, springs_at(SPRINGS_TRIED, vertex));
+        springs_put_left(vertex, springs_lying(vertex));
+    }
+}
+
 // Out of the bodies of one moment.
 fn springs_resolve(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, moment: u32, heading: vec2<f32>) {
     var deepest = 0.0;
@@ -50,16 +70,33 @@ fn springs_resolve(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, 
             springs_put_left(vertex, 0u);
         }
     }
-    for (var k = 0u; k < co.iterations; k++) {
-        springs_sweep(co, root, SPRINGS_NOW);
-    }
-    for (var k = 0u; k < SPRINGS_ROUNDS; k++) {
-        let moved = springs_push(co, maps, root, moment, SPRINGS_NOW);
-        springs_keep_lengths(co, root, SPRINGS_NOW);
-        if !moved {
-            break;
+    var least = 0.0;
+    for (var attempt = 0u; attempt < 2u; attempt++) {
+        let first = attempt == 0u;
+        for (var k = 0u; k < co.iterations && first; k++) {
+            springs_sweep(co, root, SPRINGS_NOW);
         }
+        let rounds = select(SPRINGS_PATIENCE * SPRINGS_ROUNDS, SPRINGS_ROUNDS, first);
+        for (var k = 0u; k < rounds; k++) {
+            let pushed = springs_push(co, maps, root, moment, SPRINGS_NOW);
+            springs_keep_lengths(co, root, SPRINGS_NOW);
+            if !pushed {
+                break;
+            }
+        }
+        if first {
+            springs_lay(co, maps, root, moment, SPRINGS_NOW, heading);
+        }
+        springs_spread(co, root, maps.last + 1u, SPRINGS_NOW);
+        let left_over = springs_deepest(co, maps, root, moment, SPRINGS_NOW);
+        if first && left_over <= SPRINGS_DEEP {
+            return;
+        }
+        if first {
+            springs_try_again(co);
+        } else if left_over >= least {
+            springs_go_back(co);
+        }
+        least = left_over;
     }
-    springs_lay(co, maps, root, moment, SPRINGS_NOW, heading);
-    springs_spread(co, root, SPRINGS_NOW);
 }

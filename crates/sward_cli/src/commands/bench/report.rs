@@ -149,7 +149,7 @@ impl Counters {
 /// Plants of a patch: those of its growth map, or the share of its cells that carry one.
 fn plants(world: &World, stand: &StandModel, patch: PatchKey) -> u64 {
     match stand.growth_map(&world.model.terrain, patch) {
-        Some(map) => map.iter().filter(|growth| **growth > 0).count() as u64,
+        Some(map) => map.iter().filter(|growth| growth.share > 0).count() as u64,
         None => (f64::from(stand.cells) * f64::from(stand.cells) * f64::from(stand.placement.cover)) as u64,
     }
 }

@@ -33,6 +33,7 @@ struct Grown {
     tall: f32,        // height of its plant, m
     cell: vec2<u32>,
     stance: BladeStance,
+    plant: vec2<f32>, // how its plant leans by itself
     away: f32,
     level: u32,
 }
@@ -100,7 +101,8 @@ fn blades_grown(which: u32, rank: u32, only_seen: bool) -> Grown {
     if only_seen && (stay <= 0.0 || left <= 0.0 || blades_unseen(root, height + BLADE_AROUND)) {
         return grown;
     }
-    let yaw = chance[4] * 6.2831855;
+    let stands = placement_combed(chance[4] * 6.2831855, blades.stance.x * chance[7], placed.lean);
+    let yaw = stands.x;
     let turn = math_sin_cos(yaw);
     let widened = min(inverseSqrt(max(thin, 1e-6)), 2.5);
     let width = blades.shape.x * (0.7 + 0.6 * chance[5]) * widened * stay * left;
@@ -110,7 +112,8 @@ fn blades_grown(which: u32, rank: u32, only_seen: bool) -> Grown {
     grown.local = local;
     grown.tall = placed.height;
     grown.cell = cell;
-    grown.stance = BladeStance(vec2<f32>(turn.y, turn.x), blades.stance.x * chance[7], blades.stance.y * chance[8]);
+    grown.stance = BladeStance(vec2<f32>(turn.y, turn.x), stands.y, blades.stance.y * chance[8]);
+    grown.plant = placed.lean;
     grown.away = away;
     grown.level = blades_level(away);
     return grown;
@@ -123,7 +126,7 @@ fn blades_bend(grown: Grown, level: u32, first: u32) {
     var bends: array<vec2<f32>, 8>;
     let cells = prepare.placement.cells;
     let index = ((grown.blade.rank >> (2u * prepare.bits)) * cells + grown.cell.y) * cells + grown.cell.x;
-    plant_bends(which, Who(grown.local, grown.tall, index, grown.stance.heading, grown.blade.yaw, grown.stance.lean, grown.stance.curl), &bends);
+    plant_bends(which, Who(grown.local, grown.tall, index, grown.stance.heading, grown.blade.yaw, grown.stance.lean, grown.stance.curl, grown.plant), &bends);
     let pieces = blades.pieces[level];
     let coarse = blades.pieces[min(level + 1u, 2u)];
     let border = blades.distances[min(level, 1u)];
