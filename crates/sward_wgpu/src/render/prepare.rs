@@ -65,8 +65,7 @@ impl Bending {
         match self {
             Self::Continuum => vec![common, include_str!("continuum_bends.wgsl")],
             Self::Sheet => {
-                // Pictures push nothing out of bodies.
-                let [vector, sheet, lengths, _, _, _, recover, wind, ..] = springs::WGSL;
+                let [vector, sheet, lengths, recover, wind, _] = springs::WGSL;
                 vec![vector, sheet, lengths, recover, wind, SHEET_WORDS_WGSL, common, include_str!("sheet_bends.wgsl")]
             }
             Self::Swing => {

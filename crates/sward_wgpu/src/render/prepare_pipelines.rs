@@ -29,7 +29,7 @@ impl Solved {
 
     /// What it needs after [`Bending::parts`].
     fn parts(self, bending: Bending) -> Vec<&'static str> {
-        let [vector, sheet, lengths, .., wind, _, surface] = springs::WGSL;
+        let [vector, sheet, lengths, _, wind, surface] = springs::WGSL;
         match (self, bending) {
             (Self::Spines, _) => vec![include_str!("spines.wgsl")],
             // The bending brings what sheets are.

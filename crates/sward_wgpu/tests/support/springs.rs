@@ -48,19 +48,30 @@ fn put_sheet(co: SpringsCoefficients, sheet: ptr<function, Sheet>) {
     for (var k = 0u; k < 8u; k++) { put_p((*sheet).at[k * last / 7u]); }
 }
 ";
-const NO_BODIES: &str = "
-fn distance_map_load(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }
-fn springs_map(index: u32) -> DistanceMapHead { var head: DistanceMapHead; return head; }
-";
 const TABLES: &str = "
 @group(0) @binding(2) var<storage, read> texels: array<vec4<f32>>;
 @group(0) @binding(3) var<storage, read> heads: array<DistanceMapHead>;
 fn distance_map_load(index: u32) -> vec4<f32> { return texels[index]; }
+";
+/// Sheets in a step, in words beside the answers.
+const ROOM: &str = "
+@group(0) @binding(4) var<storage, read_write> room: array<u32>;
+var<private> own: u32;
 fn springs_map(index: u32) -> DistanceMapHead { return heads[index]; }
+fn springs_word(k: u32) -> u32 { return room[k * COUNT + own]; }
+fn springs_put_word(k: u32, word: u32) { room[k * COUNT + own] = word; }
 ";
 
 fn library() -> Vec<&'static str> {
-    [&[math::WGSL, distance_map::WGSL], &springs::WGSL[..]].concat()
+    [&[math::WGSL], &springs::WGSL[..]].concat()
+}
+
+fn library_of_contacts() -> Vec<&'static str> {
+    [&library()[..], &[distance_map::WGSL]].concat()
+}
+
+fn library_of_steps() -> Vec<&'static str> {
+    [&[math::WGSL, distance_map::WGSL], &springs::WGSL[..], &springs::STEP_WGSL].concat()
 }
 
 /// A stand of any kind: sheets of 2 × 2 to 9 × 9 vertices.
@@ -169,7 +180,7 @@ pub(crate) fn contacts(gpu: &Gpu) -> Verdict {
         ]
         .concat();
         let tolerance = Tolerance { p999: 1e-5, rms: 1e-3, outlier: 1e-4, share: 2e-4 };
-        Twin { name: "contacts with maps", library: &library(), host: &host, tables: &bodies.tables(), rust }
+        Twin { name: "contacts with maps", library: &library_of_contacts(), host: &host, tables: &bodies.tables(), rust }
             .check(gpu, By::Absolute(tolerance))
     };
     compare(0.0)?;
@@ -191,7 +202,6 @@ pub(crate) fn poses(gpu: &Gpu) -> Verdict {
         };
         let host = [
             STUBS,
-            NO_BODIES,
             "fn twin() {
             let co = next_springs();
             var sheet = next_sheet(co, next_root());
@@ -231,7 +241,6 @@ pub(crate) fn recoveries(gpu: &Gpu) -> Verdict {
         };
         let host = [
             STUBS,
-            NO_BODIES,
             "fn twin() {
             let co = next_springs();
             let root = next_root();
@@ -288,26 +297,31 @@ fn part(
     let host = [
         STUBS,
         TABLES,
+        ROOM,
         "fn twin() {
+        own = in_at / READS;
         let co = next_springs();
         let root = next_root();
-        var sheet = next_sheet(co, root);
+        let bend = next_v();
+        springs_stand(co, root, SPRINGS_NOW, bend, next_v());
+        springs_copy(co, SPRINGS_NOW, SPRINGS_BEFORE);
         let first = 3u * next_u();
         let maps = SpringsMaps(first, next_u(), 0u);
         let heading = next_v();
-        var faces = SheetFaces();
         ",
         part.wgsl,
         "
-        put_sheet(co, &sheet);
+        let last = springs_vertices(co) - 1u;
+        for (var k = 0u; k < 8u; k++) { put_p(springs_at(SPRINGS_NOW, k * last / 7u)); }
         var sum = 0u;
-        for (var k = 0u; k < 81u; k++) { sum += faces.way[k]; }
+        for (var k = 0u; k < springs_vertices(co); k++) { sum += springs_left(k); }
         put_f(f32(sum));
     }",
     ]
     .concat();
-    let tables = [bytemuck::cast_slice(&bodies.texels), bytemuck::cast_slice(&there)];
-    Twin { name: part.name, library: &library(), host: &host, tables: &tables, rust: twin }.check_some(
+    let room = vec![0; 4 * MOMENTS as usize * springs::ROOM as usize * MOST_VERTICES];
+    let tables = [bytemuck::cast_slice(&bodies.texels), bytemuck::cast_slice(&there), &room];
+    Twin { name: part.name, library: &library_of_steps(), host: &host, tables: &tables, rust: twin }.check_some(
         gpu,
         By::Absolute(part.tolerance),
         MOMENTS,
@@ -330,10 +344,9 @@ fn check(
 
 /// Pushes, springs and lengths. Which way out is the nearest, and whether a vertex lies in a body, rounding may decide.
 pub(crate) fn pushes(gpu: &Gpu) -> Verdict {
-    let wgsl = "springs_push(co, maps, root, 0u, &sheet, &faces);
-        var fixed_ = SheetFixed();
-        springs_sweep(co, root, &sheet, &fixed_);
-        springs_pass(co, root, &sheet);";
+    let wgsl = "springs_push(co, maps, root, 0u, SPRINGS_NOW);
+        springs_sweep(co, root, SPRINGS_NOW);
+        springs_keep_lengths(co, root, SPRINGS_NOW);";
     let tolerance = Tolerance { p999: 1e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
     check(gpu, &Part { name: "pushes, springs and lengths", wgsl, tolerance }, |co, root, maps, _, sheet, faces| {
         let moved = springs::push(co, root, maps, 0, sheet, faces);
@@ -345,9 +358,8 @@ pub(crate) fn pushes(gpu: &Gpu) -> Verdict {
 
 /// Columns that lie down, no farther than they may. Whether a vertex lies in a body rounding may decide, at each of six halvings.
 pub(crate) fn lays(gpu: &Gpu) -> Verdict {
-    let wgsl = "var before = sheet;
-        springs_lay(co, maps, root, 0u, &sheet, &faces, heading);
-        springs_spread(co, root, 1u, &before, &sheet);";
+    let wgsl = "springs_lay(co, maps, root, 0u, SPRINGS_NOW, heading);
+        springs_spread(co, root, 1u, SPRINGS_NOW);";
     let tolerance = Tolerance { p999: 1e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
     check(gpu, &Part { name: "columns that lie down", wgsl, tolerance }, |co, root, maps, heading, sheet, faces| {
         let before = *sheet;

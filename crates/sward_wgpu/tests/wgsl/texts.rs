@@ -14,6 +14,7 @@ pub(crate) fn assembled() -> Vec<(&'static str, String)> {
         let bendings = [Bending::Continuum, Bending::Chain, Bending::Swing, Bending::Sheet];
         texts.extend(names.into_iter().zip(bendings.map(|bending| render::prepare::assembled(bending, solved))));
     }
+    texts.push(("step sheet by sheet", compute::sheets::assembled()));
     texts.push(("step plant by plant", compute::swings::assembled()));
     texts.push(("distance maps", compute::distance_maps::assembled()));
     texts.push(("step blade by blade", compute::blades::assembled()));
