@@ -1,6 +1,33 @@
 // Sheets: a plant becomes the points of a grid on the smooth surface through its sheet. Twin: picture/sheets.rs, where everything is explained.
 // `sheet_at` is in bent_at.wgsl or deformed_at.wgsl.
 
+// A place across the sheet in each of its rows: springs_point in two parts, so that all points above each other share the first.
+fn sheet_rung(co: SpringsCoefficients, sheet: ptr<function, Sheet>, across: f32) -> array<vec3<f32>, SPRINGS_MOST_SIDE> {
+    let i = min(u32(across), co.columns - 2u);
+    let u = springs_span(across, i, co.columns);
+    var rung: array<vec3<f32>, SPRINGS_MOST_SIDE>;
+    for (var row = 0u; row < co.rows; row++) {
+        var at = vec3<f32>(0.0);
+        for (var column = 0u; column < 4u; column++) {
+            at += (*sheet).at[row * co.columns + clamp(i + column, 1u, co.columns) - 1u] * u[column];
+        }
+        rung[row] = at;
+    }
+    return rung;
+}
+
+// The other part: a place up a rung, above the ground.
+fn sheet_point(co: SpringsCoefficients, root: SheetRoot, rung: ptr<function, array<vec3<f32>, SPRINGS_MOST_SIDE>>, up: f32) -> vec3<f32> {
+    let j = min(u32(up), co.rows - 2u);
+    let v = springs_span(up, j, co.rows);
+    var at = vec3<f32>(0.0);
+    for (var row = 0u; row < 4u; row++) {
+        at += (*rung)[clamp(j + row, 1u, co.rows) - 1u] * v[row];
+    }
+    let low = SPRINGS_CLEAR * math_clamped(up, 0.0, 1.0) - springs_height(root, at);
+    return at + vec3<f32>(0.0, math_upper(low, 0.0), 0.0);
+}
+
 fn solve_joints(which: u32, plant: Rooted) {
     let draw = draws[which];
     let co = SpringsCoefficients(prepare.sheet.x, prepare.sheet.y, 0u, 0u, 0.0, 1.0, 1.0, 0u);
@@ -14,22 +41,27 @@ fn solve_joints(which: u32, plant: Rooted) {
     let top = f32(co.rows - 1u);
     var corners: array<vec3<f32>, 4>;
     if plant.straight > 0.0 {
-        corners[0] = springs_point(co, root, &sheet, 0.0, 0.0);
-        corners[1] = springs_point(co, root, &sheet, last, 0.0);
-        corners[2] = springs_point(co, root, &sheet, 0.0, top);
-        corners[3] = springs_point(co, root, &sheet, last, top);
+        var first_rung = sheet_rung(co, &sheet, 0.0);
+        var last_rung = sheet_rung(co, &sheet, last);
+        corners[0] = sheet_point(co, root, &first_rung, 0.0);
+        corners[1] = sheet_point(co, root, &last_rung, 0.0);
+        corners[2] = sheet_point(co, root, &first_rung, top);
+        corners[3] = sheet_point(co, root, &last_rung, top);
     }
     let side = prepare.drawn + 1u;
     let shift = vec3<f32>(draw.offset.x, 0.0, draw.offset.y);
-    for (var k = 0u; k < side * side; k++) {
-        let across = f32(k % side) / f32(prepare.drawn);
-        let up = f32(k / side) / f32(prepare.drawn);
-        var at = springs_point(co, root, &sheet, across * last, up * top);
-        if plant.straight > 0.0 {
-            at = mix(at, mix(mix(corners[0], corners[1], across), mix(corners[2], corners[3], across), up), plant.straight);
+    for (var column = 0u; column < side; column++) {
+        let across = f32(column) / f32(prepare.drawn);
+        var rung = sheet_rung(co, &sheet, across * last);
+        for (var row = 0u; row < side; row++) {
+            let up = f32(row) / f32(prepare.drawn);
+            var at = sheet_point(co, root, &rung, up * top);
+            if plant.straight > 0.0 {
+                at = mix(at, mix(mix(corners[0], corners[1], across), mix(corners[2], corners[3], across), up), plant.straight);
+            }
+            let clear = select(0.0, BILLBOARD_CLEARANCE, up > 0.0);
+            at.y = math_upper(at.y, terrain_height(prepare.grid, draw.anchor, at.xz) + clear);
+            joints[(plant.out * side + row) * side + column] = vec4<f32>(at + shift, 0.0);
         }
-        let clear = select(0.0, BILLBOARD_CLEARANCE, up > 0.0);
-        at.y = math_upper(at.y, terrain_height(prepare.grid, draw.anchor, at.xz) + clear);
-        joints[plant.out * side * side + k] = vec4<f32>(at + shift, 0.0);
     }
 }
