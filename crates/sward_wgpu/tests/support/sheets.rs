@@ -107,7 +107,7 @@ pub(crate) fn steps(gpu: &Gpu) -> Verdict {
     let crowd: fn(&World) -> bool = |world| world.state.stands[0].sheets.pool.evicted > 10;
     for (name, scene, shows) in [("crowded", CROWDED, crowd), ("box", BOX, is_deformed), ("sheets", SHEETS, is_deformed)] {
         let mut found = false;
-        for before in [10, 40, 59] {
+        for before in [10, 59] {
             let (mut cpu, mut other, mut changed) = (world(scene)?, world(scene)?, world(scene)?);
             Backend::Cpu.run(gpu, &mut cpu, before)?;
             other.restore(&cpu.save())?;
