@@ -27,7 +27,7 @@ const SWING: Tolerance = Tolerance { p999: 2e-5, rms: 1e-4, outlier: 5e-3, share
 const SWING_RATE: Tolerance = Tolerance { p999: 1e-3, rms: 5e-3, outlier: 0.2, share: 1e-4 };
 /// Agreement of vertices of deformed billboards, m. By which of two ways that are as short a vertex leaves a body, rounding decides, and
 /// what is above follows; after one step, see `sheets.rs`.
-const SHEET: Tolerance = Tolerance { p999: 2e-2, rms: 1e-2, outlier: 1e-4, share: 1e-2 };
+const SHEET: Tolerance = Tolerance { p999: 6e-3, rms: 1e-3, outlier: 1e-4, share: 6e-3 };
 /// Agreement of steps since their last contact: half a millimetre deep or not is rounding, too.
 const SHEET_STEPS: Tolerance = Tolerance { p999: 8.0, rms: 0.5, outlier: 0.5, share: 5e-3 };
 /// Agreement of bending velocities, rad/s: sixty times a difference of bends.
