@@ -1,6 +1,6 @@
 // The sheet of a plant whose response knows only bends. Twin: picture/sheet_at.rs, where everything is explained.
 
-fn sheet_at(co: SpringsCoefficients, which: u32, plant: Rooted, root: SheetRoot) -> Sheet {
+fn sheet_at(co: SpringsCoefficients, which: u32, plant: Rooted, root: SheetRoot, sheet: ptr<function, Sheet>) {
     let patch_side = prepare.placement.spacing * f32(prepare.placement.cells);
     var low: array<vec2<f32>, 2>;
     var high: array<vec2<f32>, 2>;
@@ -26,5 +26,5 @@ fn sheet_at(co: SpringsCoefficients, which: u32, plant: Rooted, root: SheetRoot)
         leaning.lean = (tilts * mean_low - mean_high) / (tilts - 1.0);
         shift = -leaning.lean;
     }
-    return springs_pose(co, leaning, high[0] + shift, high[1] + shift);
+    springs_pose(co, leaning, vec4<f32>(high[0] + shift, high[1] + shift), sheet);
 }

@@ -36,7 +36,8 @@ fn solve_joints(which: u32, plant: Rooted) {
     let half_width = 0.5 * plant.width * heading.yx;
     let slope = terrain_height_and_gradient(prepare.grid, draw.anchor, local).yz;
     let root = SheetRoot(local.x, plant.ground, local.y, plant.height, half_width, slope, vec2<f32>(0.0), vec2<f32>(0.0));
-    var sheet = sheet_at(co, which, plant, root);
+    var sheet: Sheet;
+    sheet_at(co, which, plant, root, &sheet);
     let last = f32(co.columns - 1u);
     let top = f32(co.rows - 1u);
     var corners: array<vec3<f32>, 4>;

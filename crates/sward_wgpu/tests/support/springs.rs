@@ -38,10 +38,6 @@ fn next_root() -> SheetRoot {
     root.half_width = next_v(); root.slope = next_v(); root.lean = next_v(); root.unused = next_v();
     return root;
 }
-fn next_sheet(co: SpringsCoefficients, root: SheetRoot) -> Sheet {
-    let first = next_v();
-    return springs_pose(co, root, first, next_v());
-}
 fn put_p(p: vec3<f32>) { put_v(p.xy); put_f(p.z); }
 fn put_sheet(co: SpringsCoefficients, sheet: ptr<function, Sheet>) {
     let last = springs_columns(co) * springs_rows(co) - 1u;
@@ -52,12 +48,11 @@ const TABLES: &str = "
 @group(0) @binding(2) var<storage, read> texels: array<vec4<f32>>;
 @group(0) @binding(3) var<storage, read> heads: array<DistanceMapHead>;
 fn distance_map_load(index: u32) -> vec4<f32> { return texels[index]; }
-";
-/// Sheets in a step, in words beside the answers.
-const ROOM: &str = "
-@group(0) @binding(4) var<storage, read_write> room: array<u32>;
-var<private> own: u32;
 fn springs_map(index: u32) -> DistanceMapHead { return heads[index]; }
+";
+/// Sheets in a step, in words of a table.
+const ROOM: &str = "
+var<private> own: u32;
 fn springs_word(k: u32) -> u32 { return room[k * COUNT + own]; }
 fn springs_put_word(k: u32, word: u32) { room[k * COUNT + own] = word; }
 ";
@@ -204,7 +199,10 @@ pub(crate) fn poses(gpu: &Gpu) -> Verdict {
             STUBS,
             "fn twin() {
             let co = next_springs();
-            var sheet = next_sheet(co, next_root());
+            let root = next_root();
+            let first = next_v();
+            var sheet: Sheet;
+            springs_pose(co, root, vec4<f32>(first, next_v()), &sheet);
             put_sheet(co, &sheet);
             let bend = next_v();
             let turns = next_v();
@@ -227,6 +225,7 @@ pub(crate) fn poses(gpu: &Gpu) -> Verdict {
 
 /// Recovery between two sheets, and points of the surface. Control: a step later.
 pub(crate) fn recoveries(gpu: &Gpu) -> Verdict {
+    let room = vec![0; 4 * MOMENTS as usize * springs::ROOM as usize * MOST_VERTICES];
     let compare = |later: u32| {
         let rust = |n: u32, input: &mut Vec<u32>| {
             let mut random = Random::new(n);
@@ -241,12 +240,19 @@ pub(crate) fn recoveries(gpu: &Gpu) -> Verdict {
         };
         let host = [
             STUBS,
+            "@group(0) @binding(2) var<storage, read_write> room: array<u32>;",
+            ROOM,
             "fn twin() {
+            own = in_at / READS;
             let co = next_springs();
             let root = next_root();
-            var stored = next_sheet(co, root);
-            var wind = next_sheet(co, root);
-            var now = springs_recovered(co, root, &stored, &wind, next_u());
+            for (var sheet = SPRINGS_STORED; sheet <= SPRINGS_STANDING; sheet++) {
+                let first = next_v();
+                springs_stand(co, root, sheet, first, next_v());
+            }
+            springs_recover(co, root, SPRINGS_NOW, next_u());
+            var now: Sheet;
+            for (var k = 0u; k < springs_vertices(co); k++) { now.at[k] = springs_at(SPRINGS_NOW, k); }
             put_sheet(co, &now);
             let place = next_v();
             put_p(springs_point(co, root, &now, place.x, place.y));
@@ -255,7 +261,9 @@ pub(crate) fn recoveries(gpu: &Gpu) -> Verdict {
         .concat();
         // Directions almost opposite turn by way of upright or not, as rounding says.
         let tolerance = Tolerance { p999: 1e-5, rms: 1e-4, outlier: 1e-4, share: 1e-4 };
-        Twin { name: "recoveries", library: &library(), host: &host, tables: &[], rust }.check_some(gpu, By::Absolute(tolerance), SHEETS)
+        let twin =
+            Twin { name: "recoveries", library: &[&library()[..], &springs::STEP_WGSL[..1]].concat(), host: &host, tables: &[&room], rust };
+        twin.check_some(gpu, By::Absolute(tolerance), MOMENTS)
     };
     compare(0)?;
     ensure(compare(1).is_err(), || "a step later is not found".to_owned())
@@ -297,6 +305,7 @@ fn part(
     let host = [
         STUBS,
         TABLES,
+        "@group(0) @binding(4) var<storage, read_write> room: array<u32>;",
         ROOM,
         "fn twin() {
         own = in_at / READS;

@@ -83,9 +83,7 @@ fn springs_stand(co: SpringsCoefficients, root: SheetRoot, sheet: u32, first: ve
     let columns = springs_columns(co);
     springs_feet(co, root, sheet);
     for (var vertex = columns; vertex < springs_vertices(co); vertex++) {
-        let across = f32(vertex % columns) / f32(columns - 1u);
-        let up = f32(vertex / columns) / f32(springs_rows(co) - 1u);
-        let tilt = root.lean + (first + across * (last - first)) * up;
+        let tilt = springs_tilt(co, root, vec4<f32>(first, last), vertex % columns, vertex / columns);
         springs_put(sheet, vertex, springs_at(sheet, vertex - columns) + springs_direction(tilt) * springs_segment(co, root));
     }
     springs_keep_lengths(co, root, sheet);
