@@ -2,18 +2,16 @@
 // `sheet_at` is in bent_at.wgsl or deformed_at.wgsl.
 
 // A place across the sheet in each of its rows: springs_point in two parts, so that all points above each other share the first.
-fn sheet_rung(co: SpringsCoefficients, sheet: ptr<function, Sheet>, across: f32) -> array<vec3<f32>, SPRINGS_MOST_SIDE> {
+fn sheet_rung(co: SpringsCoefficients, sheet: ptr<function, Sheet>, across: f32, rung: ptr<function, array<vec3<f32>, SPRINGS_MOST_SIDE>>) {
     let i = min(u32(across), co.columns - 2u);
     let u = springs_span(across, i, co.columns);
-    var rung: array<vec3<f32>, SPRINGS_MOST_SIDE>;
     for (var row = 0u; row < co.rows; row++) {
         var at = vec3<f32>(0.0);
         for (var column = 0u; column < 4u; column++) {
             at += (*sheet).at[row * co.columns + clamp(i + column, 1u, co.columns) - 1u] * u[column];
         }
-        rung[row] = at;
+        (*rung)[row] = at;
     }
-    return rung;
 }
 
 // The other part: a place up a rung, above the ground.
@@ -40,25 +38,20 @@ fn solve_joints(which: u32, plant: Rooted) {
     sheet_at(co, which, plant, root, &sheet);
     let last = f32(co.columns - 1u);
     let top = f32(co.rows - 1u);
-    var corners: array<vec3<f32>, 4>;
-    if plant.straight > 0.0 {
-        var first_rung = sheet_rung(co, &sheet, 0.0);
-        var last_rung = sheet_rung(co, &sheet, last);
-        corners[0] = sheet_point(co, root, &first_rung, 0.0);
-        corners[1] = sheet_point(co, root, &last_rung, 0.0);
-        corners[2] = sheet_point(co, root, &first_rung, top);
-        corners[3] = sheet_point(co, root, &last_rung, top);
-    }
+    // Straight ones lie between their corners, which are the sheet's own.
+    let foot = array<vec3<f32>, 2>(sheet.at[0], sheet.at[co.columns - 1u]);
+    let tip = array<vec3<f32>, 2>(sheet.at[(co.rows - 1u) * co.columns], sheet.at[co.rows * co.columns - 1u]);
+    var rung: array<vec3<f32>, SPRINGS_MOST_SIDE>;
     let side = prepare.drawn + 1u;
     let shift = vec3<f32>(draw.offset.x, 0.0, draw.offset.y);
     for (var column = 0u; column < side; column++) {
         let across = f32(column) / f32(prepare.drawn);
-        var rung = sheet_rung(co, &sheet, across * last);
+        sheet_rung(co, &sheet, across * last, &rung);
         for (var row = 0u; row < side; row++) {
             let up = f32(row) / f32(prepare.drawn);
             var at = sheet_point(co, root, &rung, up * top);
             if plant.straight > 0.0 {
-                at = mix(at, mix(mix(corners[0], corners[1], across), mix(corners[2], corners[3], across), up), plant.straight);
+                at = mix(at, mix(mix(foot[0], foot[1], across), mix(tip[0], tip[1], across), up), plant.straight);
             }
             let clear = select(0.0, BILLBOARD_CLEARANCE, up > 0.0);
             at.y = math_upper(at.y, terrain_height(prepare.grid, draw.anchor, at.xz) + clear);
