@@ -15,7 +15,7 @@ use crate::pictures::{SIZE, difference, golden, shipped, taken, taken_on_gpu, wo
 ///
 /// The same driver draws the same picture but for its version and the processor's vector width, which turn coverage samples at leaf
 /// edges; reed has the most edges, lawn the finest.
-const GOLDENS: [(&str, f64, u8, f64); 8] = [
+const GOLDENS: [(&str, f64, u8, f64); 9] = [
     ("hello", 5.2, 12, 0.01),
     ("lawn", 6.0, 12, 0.01),
     ("reed", 5.0, 16, 0.02),
@@ -24,6 +24,7 @@ const GOLDENS: [(&str, f64, u8, f64); 8] = [
     ("grassland", 4.0, 16, 0.02),
     ("footsteps", 5.2, 16, 0.02),
     ("stamp", 7.3, 16, 0.02),
+    ("walkers", 8.0, 16, 0.02),
 ];
 
 fn one(gpu: &Gpu, which: usize) -> Verdict {
@@ -57,6 +58,11 @@ pub(crate) fn blades(gpu: &Gpu) -> Verdict {
 /// Billboards that bodies deform, as sheets.
 pub(crate) fn stamp(gpu: &Gpu) -> Verdict {
     one(gpu, 7)
+}
+
+/// Prints of skinned figures in short grass.
+pub(crate) fn walkers(gpu: &Gpu) -> Verdict {
+    one(gpu, 8)
 }
 
 /// Plants that swing by themselves, footprints among them.
