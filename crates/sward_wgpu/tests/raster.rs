@@ -19,6 +19,7 @@ fn main() -> std::process::ExitCode {
         ("footsteps", rastered::footsteps),
         ("sheets", rastered::sheets),
         ("deformed_sheets", rastered::deformed_sheets),
+        ("combed", rastered::combed),
         ("surroundings", rastered::surroundings),
     ];
     adapter::run(tests, |_, _| None)

@@ -34,12 +34,28 @@ struct Files(Folder);
 
 impl Assets for Files {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        if path == SURROUNDINGS { Ok(surroundings_hdr()) } else { self.0.read(path) }
+        match path {
+            SURROUNDINGS => Ok(surroundings_hdr()),
+            DIRECTIONS => Ok(directions_png()),
+            _ => self.0.read(path),
+        }
     }
 }
 
 /// Name of that picture.
 const SURROUNDINGS: &str = "made here.hdr";
+
+/// Name of a picture of directions.
+const DIRECTIONS: &str = "made here.png";
+
+/// Grass combed one way on the left and another on the right, some 0.7 rad.
+fn directions_png() -> Vec<u8> {
+    let pixels: Vec<u8> = (0..64).flat_map(|at| if at % 8 < 4 { [210, 128, 225] } else { [90, 50, 225] }).collect();
+    let mut bytes = Vec::new();
+    let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
+    encoder.write_image(&pixels, 8, 8, image::ExtendedColorType::Rgb8).expect("written to memory");
+    bytes
+}
 
 /// A blue sky that is bright on one side, a low sun there, brown ground; Radiance RGBE.
 fn surroundings_hdr() -> Vec<u8> {
@@ -182,6 +198,29 @@ pub(crate) fn deformed_sheets(gpu: &Gpu) -> Verdict {
     let [unlike, most] = same_unlike(gpu, "stamp", 2.3, |_| (), untouched)?;
     println!("stamp, untouched: {unlike:.3} of 255");
     ensure(unlike > most, || format!("untouched it looks the same: {unlike:.3} of 255"))
+}
+
+/// Grass that pictures and numbers comb: cards, blades and sheets. Control: upright, it looks otherwise.
+pub(crate) fn combed(gpu: &Gpu) -> Verdict {
+    for (name, seconds) in [("hello", 1.0), ("blades", 1.0), ("stamp", 2.3)] {
+        let comb = |scene: &mut Scene| {
+            let [x, _, z] = scene.camera.target;
+            scene.stands.iter_mut().for_each(|stand| (stand.lean, stand.messiness) = ([0.1, 0.2], 0.4));
+            let mask =
+                sward::scene::Mask { direction: DIRECTIONS.to_owned(), at: [x - 6.0, z - 6.0], size: [12.0; 2], ..Default::default() };
+            scene.masks.push(mask);
+        };
+        let upright = |world: &mut World| {
+            for stand in &mut world.model.stands {
+                stand.growth.combs.clear();
+                (stand.placement.lean, stand.placement.messiness) = ([0.0; 2], 0.0);
+            }
+        };
+        let [unlike, most] = same_unlike(gpu, name, seconds, comb, upright)?;
+        println!("{name}, upright: {unlike:.3} of 255");
+        ensure(unlike > most, || format!("{name}: upright it looks the same: {unlike:.3} of 255"))?;
+    }
+    Ok(())
 }
 
 /// Light of surroundings, and of the volume among cards, blades, sheets, bare ground and bodies.
