@@ -81,6 +81,16 @@ const BLADES: &[Mistake] = &[
     ("(version: 1, stands: [(species: Meadow, representation: Blade(\n thinning: (0, 0, 0)))])", 2, 12, "all of `thinning` is 0", "0.15"),
     ("(version: 1, stands: [(species: Meadow, representation: Blade(\n blades: 65))])", 2, 10, "`blades` is 65, allowed 1 to 64", ""),
     ("(version: 1, stands: [(species: Meadow, representation: Blade(\n sheen: 1))])", 2, 2, "`Blade` has no field `sheen`", "silhouette"),
+    ("(version: 1, stands: [(species: Meadow, representation: Sheet(\n rows: 1))])", 2, 8, "`rows` is 1, allowed 2 to 9", ""),
+    ("(version: 1, stands: [(species: Meadow, representation: Sheet(\n points: 10))])", 2, 10, "`points` is 10, allowed 2 to 9", ""),
+    ("(version: 1, stands: [(species: Meadow, representation: Sheet(\n cards: 2))])", 2, 2, "`Sheet` has no field `cards`", "columns"),
+    (
+        "(version: 1, stands: [(species: Meadow, response: Springs(rows: 4), representation: Sheet(\n rows: 3))])",
+        2,
+        8,
+        "`rows` of the sheet is 3, and the response's sheets have 4",
+        "write `rows` in `Springs(…)` only",
+    ),
     ("(version: 1, stands: [(species: Meadow,\n representation: Blades()))])", 2, 18, "`Blades` is not known", "did you mean `Blade`?"),
 ];
 

@@ -80,6 +80,35 @@ fn an_author_overrides_part_of_a_species() {
 }
 
 #[test]
+fn billboards_that_bodies_deform_are_drawn_as_they_are() {
+    let of = |more: &str| {
+        let text = format!("(version: 1, stands: [(species: Meadow, response: Springs(columns: 4, rows: 5){more})])");
+        Scene::parse(&text, "sheets.ron").expect("valid").stands[0].resolve().expect("valid")
+    };
+    for (given, width) in
+        [("", 1.4 * 0.55), (", representation: Sheet(width: 0.4)", 0.4), (", representation: Sheet(rows: 5, width: 0.4)", 0.4)]
+    {
+        let sheet = of(given).sheet.expect("a sheet");
+        assert_eq!([sheet.columns, sheet.rows], [4, 5], "{given}");
+        assert!((sheet.width - width).abs() < 1e-6, "{given}: {}", sheet.width);
+    }
+    assert_eq!(of(", representation: Billboard()").sheet, None);
+    assert_eq!(of(", representation: Blade()").sheet, None);
+}
+
+#[test]
+fn a_stand_of_sheets_keeps_what_the_species_gives() {
+    let text = "(version: 1, stands: [(species: Reed, representation: Sheet(rows: 5, points: 7)), (species: Reed, name: \"cards\")])";
+    let scene = Scene::parse(text, "sheets.ron").expect("valid");
+    let [sheets, cards] = [0, 1].map(|stand: usize| scene.stands[stand].resolve().expect("valid"));
+    let sheet = sheets.sheet.clone().expect("a sheet");
+    assert_eq!([sheet.columns, sheet.rows, sheet.points], [3, 5, 7]);
+    assert_eq!((sheet.colour_tip, sheet.dryness), (cards.billboard.colour_tip, cards.billboard.dryness));
+    assert_eq!((sheets.cards(), sheets.pieces(), sheets.segments()), (0, 6, cards.segments()));
+    assert_eq!((cards.cards(), cards.pieces(), cards.sheet), (2, 7, None));
+}
+
+#[test]
 fn a_star_is_not_convex_but_a_square_is_either_way_round() {
     let scene = |points: &str| format!("(version: 1, interactors: [(shape: Polygon(points: [{points}]))])");
     assert!(Scene::parse(&scene("(0, 0), (0, 1), (1, 1), (1, 0)"), "").is_ok());

@@ -123,7 +123,7 @@ impl From<GpuError> for Failure {
             (GpuError::UnknownAdapter { .. }, _) => {
                 Self::input(text, "set SWARD_ADAPTER to a part of one of these names, or unset it; or do without a graphics card: --on cpu --draw cpu")
             }
-            (GpuError::TooManyCells { .. } | GpuError::TooManyLagCells { .. }, Some((what, advice))) => {
+            (GpuError::TooManyCells { .. } | GpuError::TooManyLagCells { .. } | GpuError::TooManySheets { .. }, Some((what, advice))) => {
                 Self::input(what, format!("{advice} in the scene; or do without a graphics card: --on cpu --draw cpu"))
             }
             _ => Self::failed(text),
@@ -140,8 +140,13 @@ mod tests {
         let unknown = Failure::from(GpuError::UnknownAdapter { wanted: "fast".to_owned(), found: "slow".to_owned() });
         let many = Failure::from(GpuError::TooManyCells { slots: 4096, cells: 256, most: 128 });
         let lagged = Failure::from(GpuError::TooManyLagCells { slots: 112, cells: 256, most: 85 });
-        let cases =
-            [(unknown, ["slow", "unset it"]), (many, ["holds 128", "budget.patches"]), (lagged, ["holds 85", "budget.lag_distance"])];
+        let sheets = Failure::from(GpuError::TooManySheets { sheets: 200_000, most: 142_784 });
+        let cases = [
+            (unknown, ["slow", "unset it"]),
+            (many, ["holds 128", "budget.patches"]),
+            (lagged, ["holds 85", "budget.lag_distance"]),
+            (sheets, ["holds 142784", "budget.sheets"]),
+        ];
         for (failure, words) in cases {
             let help = failure.help.clone().unwrap_or_default();
             assert_eq!(failure.status, 2);

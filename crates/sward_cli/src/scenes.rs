@@ -44,7 +44,7 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "grassland" at 4.0;
     "footsteps" at 5.2;
     "stamp" at 7.3;
-    "walkers" at 7.0;
+    "walkers" at 8.0;
 };
 
 /// The files that come with sward.

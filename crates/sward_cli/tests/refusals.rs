@@ -57,7 +57,7 @@ fn fails_with_exclusions_masks_and_edits_that_cannot_be() {
             &["x.ron:4:", "no stand is called `medow`", "did you mean `meadow`?"],
         ),
         ("exclusions: [(area: Disk(radius: 2))]", &["x.ron:4:", "did you mean `Disc`?"]),
-        ("masks: [(path: \"\", size: (9, 9))]", &["x.ron:4:", "`path` is empty"]),
+        ("masks: [(path: \"\", size: (9, 9))]", &["x.ron:4:", "this mask has no picture"]),
         ("masks: [(path: \"maps/none.png\", size: (9, 9))]", &["x.ron:4:20: maps/none.png", "cannot be read", "type a path"]),
         (
             "masks: [(path: \"maps/text.png\", size: (9, 9))]",

@@ -1,9 +1,11 @@
-//! Plants: crossed cards bent along their joints. Twin of `plants.wgsl`, and of both vertex shaders, of `sward_wgpu`.
+//! Plants: crossed cards bent along their joints, or sheets. Twin of `plants.wgsl`, `cards.wgsl`, `sheet_grids.wgsl` and both vertex shaders
+//! of `sward_wgpu`.
 //!
-//! Only plants and joints are stored; cards are built again in each tile a plant touches, so memory does not grow with their triangles.
+//! Only plants and joints are stored; cards and sheets are built again in each tile a plant touches, so memory does not grow with their triangles.
 
 use glam::{Vec2, Vec3, Vec4};
-use sward::geometry::card::{CardRung, rung};
+use sward::geometry::card::rung;
+use sward::geometry::sheet::{Around, SheetOf, corner};
 use sward::math::smoothstep;
 use sward::picture::aov::COVERAGE;
 use sward::picture::frame::{FrameUniform, NEAR, SHADOW_SIDE};
@@ -20,13 +22,10 @@ use crate::tile::{self, Tile};
 use crate::trace::Trace;
 use crate::triangle::clipped;
 
-/// Most joints of a card.
-const MOST_JOINTS: usize = MOST_SEGMENTS as usize + 1;
-
 /// Plants of one look and one number of segments, solved.
 pub(crate) struct Batch {
     pub(crate) plants: Vec<Plant>,
-    /// `segments + 1` of each plant.
+    /// `segments + 1` of each plant; of a sheet, (segments + 1)² points.
     pub(crate) joints: Vec<[f32; 4]>,
     pub(crate) style: Style,
 }
@@ -42,7 +41,7 @@ fn joint(values: &[[f32; 4]], at: usize) -> Vec3 {
 
 impl Batch {
     pub(crate) fn new(plants: Vec<Plant>, joints: Vec<[f32; 4]>, look: &Look, segments: u32, cards: u32) -> Self {
-        let style = Style::new(look, segments.clamp(1, MOST_SEGMENTS), cards.clamp(1, MOST_CARDS), PLANTS_PER_INSTANCE);
+        let style = Style::new(look, segments.clamp(1, MOST_SEGMENTS), cards.min(MOST_CARDS), PLANTS_PER_INSTANCE);
         Self { plants, joints, style }
     }
 
@@ -50,12 +49,23 @@ impl Batch {
         self.style.shape[0] as usize
     }
 
+    /// Cards, or one sheet.
     fn cards(&self) -> usize {
-        self.style.shape[1] as usize
+        (self.style.shape[1] as usize).max(1)
+    }
+
+    fn is_sheet(&self) -> bool {
+        self.style.shape[1] == 0
+    }
+
+    /// Joints of a plant.
+    fn joints_each(&self) -> usize {
+        let side = self.segments() + 1;
+        if self.is_sheet() { side * side } else { side }
     }
 
     fn joints_of(&self, index: usize) -> &[[f32; 4]] {
-        let count = self.segments() + 1;
+        let count = self.joints_each();
         self.joints.get(index * count..(index + 1) * count).unwrap_or(&[])
     }
 
@@ -73,20 +83,56 @@ impl Batch {
         (plant.height > 0.0 && gone < 1.0).then_some(keep(gone))
     }
 
-    /// The rungs of a card.
-    fn card(&self, plant: &Plant, joints: &[[f32; 4]], card: usize, keep: f32) -> [CardRung; MOST_JOINTS] {
-        let turn = plant.yaw + card as f32 * std::f32::consts::PI / self.cards() as f32;
-        let mut rungs = [CardRung::default(); MOST_JOINTS];
-        for (at, slot) in rungs.iter_mut().enumerate().take(self.segments() + 1) {
-            let [low, high] = [at.saturating_sub(1), (at + 1).min(self.segments())];
-            let around = [0, at, low, high].map(|at| joint(joints, at));
-            *slot = rung(around, turn, plant.width, (card + 1) as f32 * at as f32, keep);
+    /// The corners of a card or of a sheet, in the order of [`Batch::triangles`].
+    fn corners(&self, index: usize, plant: &Plant, card: usize, keep: f32, corners: &mut Vec<Leaf>) {
+        corners.clear();
+        let (joints, flip) = (self.joints_of(index), flip(plant));
+        if self.is_sheet() {
+            self.sheet(plant, joints, keep, flip, corners);
+        } else {
+            self.card(plant, joints, card, keep, flip, corners);
         }
-        rungs
     }
 
-    /// Farthest that a card's corner may be from its joint, m.
+    fn card(&self, plant: &Plant, joints: &[[f32; 4]], card: usize, keep: f32, flip: f32, corners: &mut Vec<Leaf>) {
+        let turn = plant.yaw + card as f32 * std::f32::consts::PI / self.cards() as f32;
+        for at in 0..=self.segments() {
+            let [low, high] = [at.saturating_sub(1), (at + 1).min(self.segments())];
+            let around = [0, at, low, high].map(|at| joint(joints, at));
+            let rung = rung(around, turn, plant.width, (card + 1) as f32 * at as f32, keep);
+            let along = at as f32 / self.segments() as f32;
+            for side in [-1.0, 1.0] {
+                let card = Vec3::new(0.5 + 0.5 * side * flip, along, rung.lying);
+                corners.push(Leaf { place: rung.corner(side), across: rung.across, facing: rung.facing, card, air: None });
+            }
+        }
+    }
+
+    fn sheet(&self, plant: &Plant, points: &[[f32; 4]], keep: f32, flip: f32, corners: &mut Vec<Leaf>) {
+        let pieces = self.segments();
+        let of = SheetOf { root: plant.root.into(), width: plant.width, height: plant.height, tint: plant.tint };
+        for at in 0..self.joints_each() {
+            let [column, row] = [at % (pieces + 1), at / (pieces + 1)];
+            let around = Around::of(pieces, [column, row], |at| joint(points, at));
+            let (side, along) = (2.0 * column as f32 / pieces as f32 - 1.0, row as f32 / pieces as f32);
+            let bent = corner(&of, &around, [side, along], keep);
+            let card = Vec3::new(0.5 + 0.5 * side * flip, along, bent.lying);
+            corners.push(Leaf { place: bent.place, across: bent.across, facing: bent.facing, card, air: None });
+        }
+    }
+
+    /// Two triangles per segment of a card: corner 2 k + s stands at joint k, on the left (0) or right (1). Of a sheet, two per piece.
+    fn triangles(&self) -> impl Iterator<Item = [usize; 3]> + use<> {
+        let (across, rows) = (if self.is_sheet() { self.segments() + 1 } else { 2 }, self.segments() + 1);
+        let pieces = (0..rows - 1).flat_map(move |row| (0..across - 1).map(move |column| row * across + column));
+        pieces.flat_map(move |at| [[at, at + 1, at + across], [at + across, at + 1, at + across + 1]])
+    }
+
+    /// Farthest that a corner may be from its joint or point, m.
     fn reach(&self, plant: &Plant) -> f32 {
+        if self.is_sheet() {
+            return 0.5 * 2.35 * plant.width + 0.27 * plant.height;
+        }
         0.5 * 1.35 * plant.width + 0.018 * (self.cards() * self.segments()) as f32
     }
 
@@ -107,7 +153,7 @@ impl Batch {
             }
             let reach = Vec2::from(scale) * self.reach(plant) + 1.0;
             let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-            for at in 0..=self.segments() {
+            for at in 0..self.joints_each() {
                 let place = shadows::place(frame, joint(self.joints_of(index), at), 0.0).truncate() * side;
                 (low, high) = (low.min(place), high.max(place));
             }
@@ -122,7 +168,7 @@ impl Batch {
         let (reach, size) = (self.reach(plant), sight.pixels());
         let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
         let (mut behind, joints) = (0, self.joints_of(index));
-        for at in 0..=self.segments() {
+        for at in 0..self.joints_each() {
             let clip = sight.clip(joint(joints, at));
             if clip.w - reach < NEAR {
                 behind += usize::from(clip.w + reach < NEAR);
@@ -133,7 +179,7 @@ impl Batch {
             let around = reach * (Vec2::from(scale) + middle.abs()) / (clip.w - reach);
             (low, high) = (low.min(middle - around), high.max(middle + around));
         }
-        if behind > self.segments() {
+        if behind == self.joints_each() {
             return None;
         }
         let corner = |ndc: Vec2| Vec2::new((0.5 + 0.5 * ndc.x) * size.x, (0.5 - 0.5 * ndc.y) * size.y);
@@ -144,19 +190,17 @@ impl Batch {
     /// Draws into a tile of the shadow map.
     pub(crate) fn draw_shadow(&self, frame: &FrameUniform, clumps: &Clumps, tile: &mut ShadowTile, which: &[u32]) {
         let side = SHADOW_SIDE as f32;
+        let (mut leaves, mut points) = (Vec::new(), Vec::new());
         for &index in which {
             let plant = &self.plants[index as usize];
-            let (clump, joints, flip) = (clumps.layer(plant.layer), self.joints_of(index as usize), flip(plant));
+            let clump = clumps.layer(plant.layer);
             for card in 0..self.cards() {
-                let rungs = self.card(plant, joints, card, 1.0);
-                let (mut points, mut uv) = ([Vec3::ZERO; 2 * MOST_JOINTS], [Vec2::ZERO; 2 * MOST_JOINTS]);
-                for corner in 0..2 * (self.segments() + 1) {
-                    let left_right = (corner % 2) as f32 * 2.0 - 1.0;
-                    points[corner] = shadows::place(frame, rungs[corner / 2].corner(left_right), 0.0) * Vec3::new(side, side, 1.0);
-                    uv[corner] = Vec2::new(0.5 + 0.5 * left_right * flip, 1.0 - (corner / 2) as f32 / self.segments() as f32);
-                }
-                for three in triangles(self.segments()) {
-                    tile.draw(three.map(|corner| points[corner]), Some(&Cutout { clump, at: three.map(|corner| uv[corner]) }));
+                self.corners(index as usize, plant, card, 1.0, &mut leaves);
+                points.clear();
+                points.extend(leaves.iter().map(|leaf| shadows::place(frame, leaf.place, 0.0) * Vec3::new(side, side, 1.0)));
+                for three in self.triangles() {
+                    let at = three.map(|corner| Vec2::new(leaves[corner].card.x, 1.0 - leaves[corner].card.y));
+                    tile.draw(three.map(|corner| points[corner]), Some(&Cutout { clump, at }));
                 }
             }
         }
@@ -164,84 +208,54 @@ impl Batch {
 
     /// Draws into a tile of the picture.
     pub(crate) fn draw(&self, sight: &Sight<'_>, clumps: &Clumps, tile: &mut Tile, which: &[u32]) {
+        let (mut leaves, mut clips) = (Vec::new(), Vec::new());
         for &index in which {
             let plant = &self.plants[index as usize];
-            if let Some(keep) = self.keep(sight, plant) {
-                let pattern = patchwork(sight.pattern(plant.root.into()));
-                let of = LeafOf {
-                    style: &self.style,
-                    clump: clumps.layer(plant.layer),
-                    patchwork: pattern,
-                    tint: plant.tint,
-                    root: plant.root[1],
-                };
-                for card in 0..self.cards() {
-                    let rungs = self.card(plant, self.joints_of(index as usize), card, keep);
-                    self.draw_card(sight, tile, &of, &rungs, flip(plant));
+            let Some(keep) = self.keep(sight, plant) else { continue };
+            let pattern = patchwork(sight.pattern(plant.root.into()));
+            let (clump, root) = (clumps.layer(plant.layer), plant.root[1]);
+            let of = LeafOf { style: &self.style, clump, patchwork: pattern, tint: plant.tint, root };
+            for card in 0..self.cards() {
+                self.corners(index as usize, plant, card, keep, &mut leaves);
+                see(sight, &leaves, &mut clips);
+                for three in self.triangles() {
+                    clipped(three.map(|corner| clips[corner]), sight.pixels(), |triangle| {
+                        tile.draw(triangle, |quad| leaves::shade(sight, &of, quad, &mut leaves, three));
+                    });
                 }
             }
         }
     }
 
-    /// The corners of a card, and their clip space.
-    fn corners(&self, sight: &Sight<'_>, rungs: &[CardRung; MOST_JOINTS], flip: f32) -> ([Leaf; 2 * MOST_JOINTS], [Vec4; 2 * MOST_JOINTS]) {
-        let mut leaves = [Leaf::default(); 2 * MOST_JOINTS];
-        let mut clips = [Vec4::ZERO; 2 * MOST_JOINTS];
-        for corner in 0..2 * (self.segments() + 1) {
-            let (rung, side) = (&rungs[corner / 2], (corner % 2) as f32 * 2.0 - 1.0);
-            let place = rung.corner(side);
-            clips[corner] = sight.clip(place);
-            let along = (corner / 2) as f32 / self.segments() as f32;
-            leaves[corner] = Leaf {
-                place,
-                across: rung.across,
-                facing: rung.facing,
-                card: Vec3::new(0.5 + 0.5 * side * flip, along, rung.lying),
-                air: None,
-            };
-        }
-        (leaves, clips)
-    }
-
     /// Draws the outputs of what lies in a tile; `then`: the same plants as they were, seen from `before`.
     pub(crate) fn trace(&self, sight: &Sight<'_>, clumps: &Clumps, tile: &mut Trace<'_>, which: &[u32], then: &Self) {
+        let (mut leaves, mut clips, mut were) = (Vec::new(), Vec::new(), Vec::new());
         for &index in which {
             let at = index as usize;
             let (plant, was) = (&self.plants[at], &then.plants[at]);
             let Some(kept) = self.keep(sight, plant) else { continue };
             let (clump, before) = (clumps.layer(plant.layer), keep(then.gone(tile.before.eye.truncate(), was)));
             for card in 0..self.cards() {
-                let (leaves, clips) = self.corners(sight, &self.card(plant, self.joints_of(at), card, kept), flip(plant));
-                let rungs = then.card(was, then.joints_of(at), card, before);
-                for three in triangles(self.segments()) {
+                self.corners(at, plant, card, kept, &mut leaves);
+                then.corners(at, was, card, before, &mut were);
+                see(sight, &leaves, &mut clips);
+                for three in self.triangles() {
                     let corners = three.map(|corner| leaves[corner]);
-                    let was_at = three.map(|corner| rungs[corner / 2].corner((corner % 2) as f32 * 2.0 - 1.0));
-                    let trail = tile.trail(three.map(|corner| clips[corner]), was_at, was.layer);
+                    let trail = tile.trail(three.map(|corner| clips[corner]), three.map(|corner| were[corner].place), was.layer);
                     tile.draw(&trail, |quad| leaves::cover(sight, &self.style, clump, quad, &corners).map(|cover| cover >= COVERAGE));
                 }
             }
         }
     }
+}
 
-    fn draw_card(&self, sight: &Sight<'_>, tile: &mut Tile, of: &LeafOf<'_>, rungs: &[CardRung; MOST_JOINTS], flip: f32) {
-        let (mut leaves, clips) = self.corners(sight, rungs, flip);
-        for three in triangles(self.segments()) {
-            clipped(three.map(|corner| clips[corner]), sight.pixels(), |triangle| {
-                tile.draw(triangle, |quad| leaves::shade(sight, of, quad, &mut leaves, three));
-            });
-        }
-    }
+/// Clip space of corners.
+fn see(sight: &Sight<'_>, leaves: &[Leaf], clips: &mut Vec<Vec4>) {
+    clips.clear();
+    clips.extend(leaves.iter().map(|leaf| sight.clip(leaf.place)));
 }
 
 /// What the fading leaves of a plant's size.
 fn keep(gone: f32) -> f32 {
     1.0 - 0.85 * gone
-}
-
-/// Two triangles per segment of a card; corner 2 k + s stands at joint k, on the left (0) or right (1).
-fn triangles(segments: usize) -> impl Iterator<Item = [usize; 3]> {
-    (0..segments).flat_map(|segment| {
-        let at = 2 * segment;
-        [[at, at + 1, at + 2], [at + 2, at + 1, at + 3]]
-    })
 }

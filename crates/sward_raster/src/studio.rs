@@ -179,7 +179,7 @@ impl Studio {
         wind: &WindField,
     ) -> Batch {
         let stand = &world.model.stands[index];
-        let per_plant = uniform.drawn as usize + 1;
+        let per_plant = uniform.joints() as usize;
         let preparing = Preparing { uniform, cells, terrain: &world.model.terrain, stand, wind, intervals: stand.cells / NODE_CELLS };
         let mut plants = vec![Plant::default(); plan.plants as usize];
         let mut joints = vec![[0.0; 4]; plants.len() * per_plant];
@@ -193,8 +193,7 @@ impl Studio {
             (rest, rest_joints) = (others, other_joints);
         }
         each(tasks, |(draw, plants, joints)| preparing.prepare_patch(draw, plants, joints));
-        let billboard = &stand.species.billboard;
-        Batch::new(plants, joints, &self.looks[index], uniform.drawn, billboard.cards)
+        Batch::new(plants, joints, &self.looks[index], uniform.drawn, stand.species.cards())
     }
 
     fn shadow_map(&self, moment: &Moment) -> ShadowMap {

@@ -12,7 +12,7 @@ mod reprojection;
 #[path = "support/verdicts.rs"]
 mod verdicts;
 
-use reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, world};
+use reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, deformed_pass, sheet_pass, world};
 use sward::picture::past::Past;
 use sward::world::World;
 use sward_raster::Studio;
@@ -35,6 +35,16 @@ fn pair(text: &str) -> Pair {
 #[test]
 fn a_car_pass_is_followed() {
     verdicts::car_pass(&pair(CAR_PASS)).expect("the pass is followed");
+}
+
+#[test]
+fn sheets_are_followed() {
+    verdicts::sheet_pass(&pair(&sheet_pass())).expect("the pass is followed");
+}
+
+#[test]
+fn deformed_sheets_are_followed() {
+    verdicts::deformed_pass(&pair(&deformed_pass())).expect("the pass is followed");
 }
 
 #[test]

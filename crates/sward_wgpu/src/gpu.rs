@@ -82,6 +82,16 @@ pub enum GpuError {
         /// Patches that fit.
         most: u32,
     },
+    /// More billboards are deformed than one buffer can bind the sheets of.
+    #[error(
+        "the sheets of {sheets} deformed billboards do not fit one buffer of this device; it holds {most}. Lower budget.sheets or the response's columns and rows"
+    )]
+    TooManySheets {
+        /// Sheets asked for.
+        sheets: u32,
+        /// Sheets that fit.
+        most: u32,
+    },
     /// The device is gone, and with it what it held. Open another one, or go on on the CPU from the last state that was saved.
     #[error("the graphics device was lost: {reason}")]
     Lost {

@@ -300,10 +300,10 @@ fn drawn<'a>(batches: &'a [[BatchBuffers; 2]], world: &World, plans: &[[BatchPla
     let mut draws = Vec::new();
     for (index, plain) in batch_order(plans) {
         let Some((plants, joints)) = &batches[index][plain].filled else { continue };
-        let billboard = &world.model.stands[index].species.billboard;
-        let segments = if plain == 1 { 1 } else { billboard.segments };
+        let species = &world.model.stands[index].species;
+        let segments = if plain == 1 { 1 } else { species.pieces() };
         let count = PlantCount::Direct(plans[index][plain].plants);
-        draws.push(PlantBatch { plants, joints, count, segments, cards: billboard.cards, look: index, shadows: true });
+        draws.push(PlantBatch { plants, joints, count, segments, cards: species.cards(), look: index, shadows: true });
     }
     draws
 }

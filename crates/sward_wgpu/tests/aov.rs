@@ -20,6 +20,10 @@ fn main() -> std::process::ExitCode {
     let tests: &[adapter::Test] = &[
         ("a_car_pass_is_followed", outputs::a_car_pass_is_followed),
         ("outputs_agree", outputs::outputs_agree),
+        ("sheets_are_followed", outputs::sheets_are_followed),
+        ("outputs_of_sheets_agree", outputs::outputs_of_sheets_agree),
+        ("deformed_sheets_are_followed", outputs::deformed_sheets_are_followed),
+        ("outputs_of_deformed_sheets_agree", outputs::outputs_of_deformed_sheets_agree),
         ("blades_are_followed", outputs::blades_are_followed),
         ("outputs_of_blades_agree", outputs::outputs_of_blades_agree),
         ("cells_of_the_gpu_are_remembered", outputs::cells_of_the_gpu_are_remembered),

@@ -11,8 +11,10 @@ mod views;
 
 /// Software drivers and the pictures stored for each; every hardware driver draws its own. SwiftShader is slow, and two pictures hold
 /// what passes there: many segments, hills, two stands and a truck; one segment, level ground and a ball.
-const STORED: [(&str, &[&str]); 2] =
-    [("llvmpipe", &["hello", "lawn", "reed", "crossing", "blades", "grassland", "footsteps"]), ("swiftshader", &["hello", "lawn"])];
+const STORED: [(&str, &[&str]); 2] = [
+    ("llvmpipe", &["hello", "lawn", "reed", "crossing", "blades", "grassland", "footsteps", "stamp", "walkers"]),
+    ("swiftshader", &["hello", "lawn"]),
+];
 
 fn main() -> std::process::ExitCode {
     let tests: &[adapter::Test] = &[
@@ -23,6 +25,8 @@ fn main() -> std::process::ExitCode {
         ("golden_blades", views::blades),
         ("golden_grassland", views::grassland),
         ("golden_footsteps", views::footsteps),
+        ("golden_stamp", views::stamp),
+        ("golden_walkers", views::walkers),
         ("pictures_tell_what_matters", views::pictures_tell_what_matters),
         ("far_from_home", views::far_from_home),
         ("joints_stay_above_ground", views::joints_stay_above_ground),

@@ -17,6 +17,9 @@ fn main() -> std::process::ExitCode {
         ("endless", rastered::endless),
         ("blades", rastered::blades),
         ("footsteps", rastered::footsteps),
+        ("sheets", rastered::sheets),
+        ("deformed_sheets", rastered::deformed_sheets),
+        ("combed", rastered::combed),
         ("surroundings", rastered::surroundings),
     ];
     adapter::run(tests, |_, _| None)

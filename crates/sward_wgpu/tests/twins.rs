@@ -12,6 +12,9 @@ mod continuum;
 mod controls;
 #[path = "support/distance_maps.rs"]
 mod distance_maps;
+#[path = "../../sward/tests/figures/glb.rs"]
+#[allow(dead_code)] // Only two of its figures are used.
+mod glb;
 #[path = "support/halves.rs"]
 mod halves;
 #[path = "support/kernels.rs"]
@@ -76,8 +79,16 @@ fn main() -> std::process::ExitCode {
         ("swing_runs", swings::run),
         ("swing_costs", swings::released_plants_cost_nothing),
         ("swings_solved", prepared::swings_solved),
-        ("sheet_runs", sheets::run),
+        ("sheets_solved", prepared::sheets_solved),
+        ("sheets_stay_above_ground", prepared::sheets_stay_above_ground),
+        ("sheet_runs", sheets::runs),
+        ("sheet_steps", sheets::steps),
+        ("sheets_of_figures", sheets::figures),
+        ("sheets_by_the_thousand", sheets::many),
+        ("sheets_handed_over", sheets::handed_over),
+        ("sheet_costs", sheets::free_billboards_cost_nothing),
         ("sheets_bent", prepared::sheets_bent),
+        ("deformed_sheets_solved", prepared::deformed_sheets_solved),
         ("distance_maps", distance_maps::solids),
         ("distance_maps_of_figures", distance_maps::figures),
         ("springs_contacts", springs::contacts),

@@ -9,5 +9,6 @@ pub mod figure;
 pub mod mesh;
 pub mod relief;
 pub mod rings;
+pub mod sheet;
 pub mod truck;
 mod wheel;

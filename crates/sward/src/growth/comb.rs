@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use super::MaskImage;
-use super::image::Canvas;
+use super::image::{Canvas, between};
 use crate::math::{self, clamped};
 use crate::placement::MOST_LEAN;
 
@@ -35,12 +35,9 @@ impl DirectionImage {
 
     /// Between pixels; `at` is 0 to 1 along x and z.
     fn at(&self, at: [f32; 2]) -> [f32; 2] {
-        let ([a, b, c, d], f) = self.canvas.around(at);
-        [0, 1].map(|axis| {
-            let lean = |texel: usize| self.leans.get(texel).map_or(0.0, |lean| lean[axis]);
-            let (low, high) = (lean(a) + (lean(b) - lean(a)) * f[0], lean(c) + (lean(d) - lean(c)) * f[0]);
-            low + (high - low) * f[1]
-        })
+        let (texels, f) = self.canvas.around(at);
+        let leans = texels.map(|texel| self.leans.get(texel as usize).copied().unwrap_or_default());
+        [0, 1].map(|axis: usize| between(leans.map(|lean| lean[axis]), f))
     }
 }
 

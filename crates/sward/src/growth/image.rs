@@ -42,15 +42,21 @@ impl Canvas {
     }
 
     /// The four pixels around a place, 0 to 1 along x and z, and how far it lies between them.
-    pub(super) fn around(&self, at: [f32; 2]) -> ([usize; 4], [f32; 2]) {
+    pub(super) fn around(&self, at: [f32; 2]) -> ([u32; 4], [f32; 2]) {
         let size = [self.columns, self.rows];
         let place = [0, 1].map(|axis: usize| clamped(at[axis] * size[axis] as f32 - 0.5, 0.0, size[axis] as f32 - 1.0));
         let first = place.map(|along| along as u32);
         let next = [0, 1].map(|axis: usize| (first[axis] + 1).min(size[axis] - 1));
-        let texel = |x: u32, z: u32| (z * self.columns + x) as usize;
+        let texel = |x: u32, z: u32| z * self.columns + x;
         let texels = [texel(first[0], first[1]), texel(next[0], first[1]), texel(first[0], next[1]), texel(next[0], next[1])];
         (texels, [place[0] - first[0] as f32, place[1] - first[1] as f32])
     }
+}
+
+/// Between four pixels around a place, as far as it lies between them.
+pub(super) fn between([a, b, c, d]: [f32; 4], f: [f32; 2]) -> f32 {
+    let (low, high) = (a + (b - a) * f[0], c + (d - c) * f[0]);
+    low + (high - low) * f[1]
 }
 
 /// Shades of a mask, row by row: 0 is bare ground, 255 changes nothing.
@@ -79,11 +85,14 @@ impl MaskImage {
         Ok(Self { columns, rows, shades })
     }
 
+    /// The shade of a pixel, 0 to 1; white where there is none.
+    pub(super) fn shade(&self, texel: u32) -> f32 {
+        self.shades.get(texel as usize).map_or(1.0, |shade| f32::from(*shade) / 255.0)
+    }
+
     /// The shade between pixels, 0 to 1; `at` is 0 to 1 along x and z.
     pub(super) fn at(&self, at: [f32; 2]) -> f32 {
-        let ([a, b, c, d], f) = Canvas { columns: self.columns, rows: self.rows }.around(at);
-        let shade = |texel: usize| self.shades.get(texel).map_or(1.0, |shade| f32::from(*shade) / 255.0);
-        let (low, high) = (shade(a) + (shade(b) - shade(a)) * f[0], shade(c) + (shade(d) - shade(c)) * f[0]);
-        low + (high - low) * f[1]
+        let (texels, f) = Canvas { columns: self.columns, rows: self.rows }.around(at);
+        between(texels.map(|texel| self.shade(texel)), f)
     }
 }

@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
+use super::image::{Canvas, between};
 use super::{Limit, MaskImage, Outline};
 use crate::math::{clamped, lower, upper};
 use std::sync::Arc;
@@ -127,9 +128,7 @@ impl Near {
 
     fn cover(&self, index: usize, at: [f32; 2], blur: f32) -> f32 {
         let record = &self.records[index];
-        let shade = |texel: u32| {
-            self.images[index].as_ref().and_then(|image| image.shades.get(texel as usize)).map_or(1.0, |shade| f32::from(*shade) / 255.0)
-        };
+        let shade = |texel: u32| self.images[index].as_ref().map_or(1.0, |image| image.shade(texel));
         cover_at(record, at, blur, |edge| self.edges[edge as usize], shade)
     }
 
@@ -205,16 +204,7 @@ pub fn cover_at(record: &GrowthRecord, at: [f32; 2], blur: f32, edge: impl Fn(u3
 
 /// Bilinear between the middles of pixels.
 fn between_texels(record: &GrowthRecord, at: [f32; 2], shade: impl Fn(u32) -> f32) -> f32 {
-    let size = [record.count, record.rows];
-    let place = [0, 1].map(|axis| {
-        let share = (at[axis] - record.low[axis]) / (record.high[axis] - record.low[axis]);
-        clamped(share * size[axis] as f32 - 0.5, 0.0, size[axis] as f32 - 1.0)
-    });
-    let first = place.map(|along| along as u32);
-    let next = [0, 1].map(|axis| (first[axis] + 1).min(size[axis] - 1));
-    let f = [place[0] - first[0] as f32, place[1] - first[1] as f32];
-    let texel = |x: u32, z: u32| shade(record.first + z * record.count + x);
-    let low = texel(first[0], first[1]) + (texel(next[0], first[1]) - texel(first[0], first[1])) * f[0];
-    let high = texel(first[0], next[1]) + (texel(next[0], next[1]) - texel(first[0], next[1])) * f[0];
-    low + (high - low) * f[1]
+    let at = [0, 1].map(|axis: usize| (at[axis] - record.low[axis]) / (record.high[axis] - record.low[axis]));
+    let (texels, f) = Canvas { columns: record.count, rows: record.rows }.around(at);
+    between(texels.map(|texel| shade(record.first + texel)), f)
 }

@@ -13,6 +13,8 @@ pub mod past;
 pub mod plan;
 pub mod plants;
 pub mod prepare;
+mod sheet_at;
+mod sheets;
 pub mod subject;
 pub mod volume;
 

@@ -119,13 +119,13 @@ fn places(distance: f64, fullness: f64, stand: &StandModel) -> u32 {
     ((thin(distance, fullness, stand.spacing) * f64::from(all)).ceil() as u32).min(all).next_multiple_of(PLANTS_PER_INSTANCE)
 }
 
-/// Plants that each stand of billboards may show.
+/// Plants that each stand of billboards or sheets may show.
 pub fn share(world: &World) -> u32 {
     let billboards = world.model.stands.iter().filter(|stand| stand.species.blade.is_none()).count();
     world.scene.budget.visible_plants / (billboards.max(1) as u32)
 }
 
-/// Decides what of a stand is drawn: plants of `segments`, and beyond `plain_distance` plain ones. `share` of the plant budget is this
+/// Decides what of a stand is drawn: plants of all their segments or pieces, and beyond `plain_distance` plain ones. `share` of the plant budget is this
 /// stand's. Nothing of a stand of blades.
 pub fn plan(world: &World, index: usize, seen: &Seen, look: &Look, share: u32) -> ([BatchPlan; 2], f64) {
     let (stand, state) = (&world.model.stands[index], &world.state.stands[index]);
@@ -138,10 +138,10 @@ pub fn plan(world: &World, index: usize, seen: &Seen, look: &Look, share: u32) -
     while wanted(fullness) > u64::from(share) && fullness > 1e-3 {
         fullness *= 0.9;
     }
-    let plain = f64::from(stand.species.billboard.plain_distance);
+    let plain = f64::from(stand.species.plain_distance());
     let mut batches = [BatchPlan::default(), BatchPlan::default()];
     for patch in &list {
-        let far = usize::from(patch.distance > plain || stand.species.billboard.segments == 1);
+        let far = usize::from(patch.distance > plain || stand.species.pieces() == 1);
         let batch = &mut batches[far];
         let count = places(patch.distance, fullness, stand);
         if u64::from(batch.plants) + u64::from(count) > u64::from(share) {

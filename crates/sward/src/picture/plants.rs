@@ -17,7 +17,7 @@ pub struct Plant {
     pub height: f32,
     /// Radians.
     pub yaw: f32,
-    /// Width of a card, metres.
+    /// Width of a card or sheet, metres.
     pub width: f32,
     /// Chance number in 0..1 for colour and variety.
     pub tint: f32,

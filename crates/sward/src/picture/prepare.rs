@@ -8,6 +8,7 @@ use glam::{Vec2, Vec3};
 use super::identity;
 use super::plan::{FULL_CELLS, PatchDraw, Seen, THINNING, bits};
 use super::plants::Plant;
+use super::sheets::Rooted;
 use crate::geometry::billboard::{CLEARANCE, earlier, leaning, segment};
 use crate::math;
 use crate::placement::{self, Growing, PlacementParameters, Plant as Placed};
@@ -34,7 +35,7 @@ pub struct PrepareUniform {
     pub camera: [f32; 4],
     /// Segments of the simulation.
     pub segments: u32,
-    /// Segments of the cards.
+    /// Segments of the cards, or pieces along each side of the sheets.
     pub drawn: u32,
     /// The drawing order covers 2^bits cells a side.
     pub bits: u32,
@@ -46,7 +47,7 @@ pub struct PrepareUniform {
     pub full: f32,
     /// Distance beyond which none is, m.
     pub gone: f32,
-    /// Width of a card, m.
+    /// Width of a card or sheet, m.
     pub width: f32,
     /// k_w.
     pub wind_response: f32,
@@ -64,6 +65,8 @@ pub struct PrepareUniform {
     pub unused: [u32; 3],
     /// Of the picture before, for the plants of this one: [`super::identity::Identity::of_stand`]; all 0 in a picture's own preparing.
     pub identity: [u32; 4],
+    /// Columns and rows of the sheets, the rest unused; all 0 for cards.
+    pub sheet: [u32; 4],
 }
 
 impl PrepareUniform {
@@ -71,20 +74,20 @@ impl PrepareUniform {
     pub fn new(world: &World, stand: &StandModel, plain: bool, seen: &Seen, look: &Look) -> Self {
         let Seen { fullness, behind, .. } = *seen;
         let [x, y, z] = seen.eye(world.model.patch_side);
-        let billboard = &stand.species.billboard;
+        let species = &stand.species;
         Self {
             placement: stand.placement,
             grid: world.model.terrain.grid(),
             camera: [x, y, z, 0.0],
-            segments: stand.species.segments(),
-            drawn: if plain { 1 } else { billboard.segments },
+            segments: species.segments(),
+            drawn: if plain { 1 } else { species.pieces() },
             bits: bits(stand.cells),
             layer: first_layer(look.kind),
-            plain: if plain { 0.0 } else { billboard.plain_distance },
+            plain: if plain { 0.0 } else { species.plain_distance() },
             full: FULL_CELLS * stand.spacing as f32,
             gone: look.fade[1],
-            width: billboard.width,
-            wind_response: stand.species.continuum.wind,
+            width: species.width(),
+            wind_response: species.continuum.wind,
             fullness: fullness as f32,
             behind: behind as f32,
             substeps: stand.substeps as f32,
@@ -92,7 +95,19 @@ impl PrepareUniform {
             step: world.state.step as u32,
             unused: [0; 3],
             identity: [0; 4],
+            sheet: species.sheet.as_ref().map_or([0; 4], |sheet| [sheet.columns, sheet.rows, 0, 0]),
         }
+    }
+
+    /// Whether plants are sheets.
+    pub fn is_sheet(&self) -> bool {
+        self.sheet[0] > 0
+    }
+
+    /// Joints of a plant: of a sheet, points of its grid.
+    pub fn joints(&self) -> u32 {
+        let side = self.drawn + 1;
+        if self.is_sheet() { side * side } else { side }
     }
 }
 
@@ -316,10 +331,10 @@ impl Preparing<'_> {
         (values.len() == chain.planes() * total).then(|| chain::loaded(values, total, index as usize, chain.coefficients.segments as usize))
     }
 
-    /// Solves the plants of one patch: `draw.count` plants, and `drawn + 1` joints of each. Places without a plant get height 0.
+    /// Solves the plants of one patch: `draw.count` plants, and the joints of each. Places without a plant get height 0.
     pub fn prepare_patch(&self, draw: &PatchDraw, plants: &mut [Plant], joints: &mut [[f32; 4]]) {
         let (phases, growth) = (self.phases(draw), self.growth(draw));
-        let per_plant = self.uniform.drawn as usize + 1;
+        let per_plant = self.uniform.joints() as usize;
         for (rank, (plant, joints)) in plants.iter_mut().zip(joints.chunks_exact_mut(per_plant)).enumerate() {
             *plant = self.prepare_plant(draw, &phases, growth.as_deref(), rank as u32, joints).unwrap_or_default();
         }
@@ -360,14 +375,19 @@ impl Preparing<'_> {
         let (yaw, lean) = placement::combed(0.0, 0.0, placed.lean);
         let (sine, cosine) = math::sin_cos(yaw);
         let who = Who { local: placed.root, tall: placed.height, index, heading: [cosine, sine], yaw, lean, curl: 0.0, plant: placed.lean };
-        self.spine(draw, phases, &who, [ground, height, straight], joints);
+        let width = prepare.width * (0.8 + 0.4 * (placed.tint * 17.3).fract()) * (1.0 / thin.sqrt()).min(2.2) * (0.5 + 0.5 * stay);
+        if prepare.is_sheet() {
+            self.sheet(draw, phases, &Rooted { who, ground, height, straight, yaw: placed.yaw, width }, joints);
+        } else {
+            self.spine(draw, phases, &who, [ground, height, straight], joints);
+        }
         let chance = (placed.tint * 61.7).fract();
         let picture = prepare.layer + ((chance * VARIANTS as f32) as u32).min(VARIANTS - 1);
         Some(Plant {
             root: root.to_array(),
             height,
             yaw: placed.yaw,
-            width: prepare.width * (0.8 + 0.4 * (placed.tint * 17.3).fract()) * (1.0 / thin.sqrt()).min(2.2) * (0.5 + 0.5 * stay),
+            width,
             tint: placed.tint,
             layer: if then { identity::number(prepare.identity, draw.patch, cell[1] * prepare.placement.cells + cell[0]) } else { picture },
         })

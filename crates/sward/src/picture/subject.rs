@@ -178,9 +178,10 @@ fn look_of(species: &Species, stand: &StandModel) -> Look {
         Species::Tussock => Kind::Tussock,
     };
     let billboard = &stand.species.billboard;
-    let (root, tip, dryness) = match &stand.species.blade {
-        Some(blade) => (blade.colour_root, blade.colour_tip, blade.dryness),
-        None => (billboard.colour_root, billboard.colour_tip, billboard.dryness),
+    let (root, tip, dryness) = match (&stand.species.blade, &stand.species.sheet) {
+        (Some(blade), _) => (blade.colour_root, blade.colour_tip, blade.dryness),
+        (_, Some(sheet)) => (sheet.colour_root, sheet.colour_tip, sheet.dryness),
+        _ => (billboard.colour_root, billboard.colour_tip, billboard.dryness),
     };
     // Short plants are lost in the turf sooner.
     let gone = match &stand.species.blade {

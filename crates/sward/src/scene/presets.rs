@@ -6,6 +6,7 @@ use super::chain::{BladeByBlade, Chain, DragPower};
 use super::continuum::{Continuum, Lag};
 use super::error::{Problem, SceneError, Trail};
 use super::oscillator::{Oscillator, Swinging};
+use super::sheet::{Sheet, SheetOverrides};
 use super::springs::Springs;
 use super::stand::{Representation, Response, Species, Stand};
 
@@ -28,6 +29,8 @@ pub struct SpeciesModel {
     pub billboard: Billboard,
     /// How they look as blades, where that is what they are drawn as.
     pub blade: Option<Blade>,
+    /// How they look as sheets, where that is what they are drawn as.
+    pub sheet: Option<Sheet>,
 }
 
 impl SpeciesModel {
@@ -35,6 +38,30 @@ impl SpeciesModel {
     #[must_use]
     pub fn segments(&self) -> u32 {
         self.blade.as_ref().map_or(self.billboard.segments, |blade| blade.segments)
+    }
+
+    /// Crossed cards of a plant; 0 where it is a sheet.
+    #[must_use]
+    pub fn cards(&self) -> u32 {
+        if self.sheet.is_some() { 0 } else { self.billboard.cards }
+    }
+
+    /// Segments of a card, or pieces along each side of a sheet, near the camera; one is drawn beyond [`Self::plain_distance`].
+    #[must_use]
+    pub fn pieces(&self) -> u32 {
+        self.sheet.as_ref().map_or(self.billboard.segments, |sheet| sheet.points.saturating_sub(1).max(1))
+    }
+
+    /// Distance from the camera beyond which a plant is drawn with one segment or piece, m.
+    #[must_use]
+    pub fn plain_distance(&self) -> f32 {
+        self.sheet.as_ref().map_or(self.billboard.plain_distance, |sheet| sheet.plain_distance)
+    }
+
+    /// Width of a card or sheet, m.
+    #[must_use]
+    pub fn width(&self) -> f32 {
+        self.sheet.as_ref().map_or(self.billboard.width, |sheet| sheet.width)
     }
 }
 
@@ -50,6 +77,19 @@ impl Stand {
     /// The same, with errors that know the way to this stand.
     pub(super) fn resolve_at(&self, trail: &Trail) -> Result<SpeciesModel, Problem> {
         let (continuum, billboard) = (self.species.continuum(), self.species.billboard());
+        let springs = match &self.response {
+            Some(Response::Springs(overrides)) => Some(self.species.springs().with(overrides)),
+            _ => None,
+        };
+        let sheet = match (&self.representation, &springs) {
+            (Some(Representation::Sheet(overrides)), None) => Some(self.species.sheet().with(overrides)),
+            (Some(Representation::Sheet(overrides)), Some(springs)) => {
+                Some(self.species.sheet().of_springs(springs, overrides, &trail.clone().key("representation"))?)
+            }
+            // What bodies deform is drawn as they leave it.
+            (None, Some(springs)) => Some(self.species.sheet().of_springs(springs, &SheetOverrides::default(), trail)?),
+            _ => None,
+        };
         Ok(SpeciesModel {
             name: self.label(),
             height: self.height.unwrap_or_else(|| self.species.height()),
@@ -69,10 +109,7 @@ impl Stand {
                 Some(Response::Oscillator(overrides)) => Some(self.species.oscillator().tuned(overrides, &trail.clone().key("response"))?),
                 _ => None,
             },
-            springs: match &self.response {
-                Some(Response::Springs(overrides)) => Some(self.species.springs().with(overrides)),
-                _ => None,
-            },
+            springs,
             billboard: match &self.representation {
                 Some(Representation::Billboard(overrides)) => billboard.with(overrides),
                 _ => billboard,
@@ -81,6 +118,7 @@ impl Stand {
                 Some(Representation::Blade(overrides)) => Some(self.species.blade().with(overrides)),
                 _ => None,
             },
+            sheet,
         })
     }
 }
@@ -164,6 +202,13 @@ impl Species {
         let distance = if matches!(self, Self::Lawn) { 40.0 } else { 110.0 };
         let segments = segments.max(2);
         Blade { segments, distance, blades, tuft, width, lean, curl, colour_root, colour_tip, dryness, ..Blade::default() }
+    }
+
+    /// How the species looks as sheets: the billboards' colours, and wider, since one sheet stands for two crossed cards.
+    #[must_use]
+    pub fn sheet(&self) -> Sheet {
+        let Billboard { width, plain_distance, colour_root, colour_tip, dryness, .. } = self.billboard();
+        Sheet { width: 1.4 * width, plain_distance, colour_root, colour_tip, dryness, ..Sheet::default() }
     }
 
     /// How the species looks.

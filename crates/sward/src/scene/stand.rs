@@ -6,6 +6,7 @@ use super::chain::ChainOverrides;
 use super::continuum::ContinuumOverrides;
 use super::oscillator::OscillatorOverrides;
 use super::parameters::{choices, parameters};
+use super::sheet::SheetOverrides;
 use super::springs::SpringsOverrides;
 
 choices! {
@@ -45,6 +46,8 @@ choices! {
         Billboard(BillboardOverrides),
         /// Blades: strips of triangles, every one by itself.
         Blade(BladeOverrides),
+        /// One card with a picture of a clump, bent as a smooth surface.
+        Sheet(SheetOverrides),
     }
 }
 
@@ -74,7 +77,7 @@ parameters! {
         slope: Option<[f32; 2]> = None, "" in 0.0..=100.0;
         /// How the plants move, where it differs from the species.
         response: Option<Response> = None, "";
-        /// How the plants look, where it differs from the species.
+        /// How the plants look, where it differs from the species. With response `Springs` they are sheets unless this says otherwise.
         representation: Option<Representation> = None, "";
     }
 }

@@ -58,19 +58,20 @@ pub struct Style {
     pub tip: [f32; 4],
     /// Share of the sky seen by roots, how fast sunlight fades towards them, distances where plants begin to fade and are gone, m.
     pub mean: [f32; 4],
-    /// Segments, cards, vertices per plant, plants per instance.
+    /// Segments, cards (0: a sheet of as many pieces along each side), vertices per plant, plants per instance.
     pub shape: [u32; 4],
 }
 
 impl Style {
-    /// The style of plants with `cards` cards of `segments` segments.
+    /// The style of plants with `cards` cards of `segments` segments; with no cards, of sheets of `segments` × `segments` pieces.
     pub fn new(look: &Look, segments: u32, cards: u32, plants_per_instance: u32) -> Self {
         let closed = look.cover();
+        let vertices = if cards == 0 { (segments + 1) * (segments + 1) } else { 2 * (segments + 1) * cards };
         Self {
             root: [look.root[0], look.root[1], look.root[2], look.dryness],
             tip: [look.tip[0], look.tip[1], look.tip[2], look.through],
             mean: [1.0 - 0.88 * closed, 1.6 * closed, look.fade[0], look.fade[1]],
-            shape: [segments, cards, 2 * (segments + 1) * cards, plants_per_instance],
+            shape: [segments, cards, vertices, plants_per_instance],
         }
     }
 }

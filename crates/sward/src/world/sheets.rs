@@ -11,9 +11,9 @@ use crate::interaction::distance_map::DistanceMapHead;
 use crate::interaction::solid::WorldSolid;
 use crate::math;
 use crate::placement::Growing;
-use crate::plan::{ActiveSheet, Plan, StandPlan};
+use crate::plan::{ActiveSheet, StandPlan};
 use crate::response::continuum::NODE_CELLS;
-use crate::response::springs::{self, SpringsModel, moments, root_of, target_of};
+use crate::response::springs::{SpringsModel, moments, root_of, target_of};
 use crate::state::{Billboard, PatchKey, in_field};
 use crate::wind::WindField;
 
@@ -277,17 +277,6 @@ impl World {
         let read: BTreeSet<u32> = stands.iter().flat_map(|plan| &plan.sheets.heads).map(|head| head.body).collect();
         let moving = read.into_iter().filter(|body| self.model.bodies[*body as usize].is_animated());
         moving.map(|body| (body, self.state.bodies[body as usize].clock[1])).collect()
-    }
-
-    /// The step of all stands whose billboards bodies deform, for a backend that leaves them to the core.
-    pub fn step_sheets(&mut self, plan: &Plan) {
-        self.draw_maps(&plan.maps);
-        let World { model, state, texels, .. } = self;
-        for ((stand, plan), state) in model.stands.iter().zip(&plan.stands).zip(&mut state.stands) {
-            if let Some(springs) = &stand.springs {
-                springs::step_stand(&model.terrain, stand, springs, plan, texels, &mut state.cells, &mut |_| ());
-            }
-        }
     }
 
     /// Draws the maps of bodies anew that play a clip.

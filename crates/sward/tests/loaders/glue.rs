@@ -2,6 +2,7 @@
 
 use sward::model::Assets;
 use sward::picture::subject::Frame;
+use sward::response::springs::pool;
 use sward::scene::Scene;
 use sward::world::World;
 
@@ -29,7 +30,16 @@ pub(crate) fn stepped(world: &mut World) {
     for _ in 0..2 {
         world.step();
     }
-    for stand in &world.state.stands {
+    for (stand, model) in world.state.stands.iter().zip(&world.model.stands) {
+        if let Some(springs) = &model.springs {
+            // Its cells are places of sheets.
+            let (words, [columns, rows]) = (pool::words(&springs.coefficients), [springs.coefficients.columns, springs.coefficients.rows]);
+            for (_, place) in stand.sheets.pool.taken() {
+                let points = &stand.cells.sheets[place as usize * words..][..(3 * columns * (rows - 1)) as usize];
+                assert!(points.iter().all(|word| f32::from_bits(*word).is_finite()), "a vertex is not a number");
+            }
+            continue;
+        }
         for slot in stand.awake.values().map(|awake| awake.slot as usize) {
             assert!(stand.cells.now[slot].iter().all(|value| value.is_finite()), "a cell is not a number");
         }

@@ -2,13 +2,16 @@
 
 use glam::Vec3;
 use sward::interaction::distance_map::DistanceMapHead;
-use sward::response::springs::Maps;
+use sward::response::springs::{Maps, SheetRoot};
 
 use crate::Test;
 use crate::bodies::{Body, block, egg};
-use crate::field::{Plant, STEP, coefficients, head, row};
+use crate::field::{Plant, STEP, coefficients, head, root, row};
 
-pub(crate) const TESTS: &[Test] = &[("nothing_moves_at_a_standing_body", nothing_moves_at_a_standing_body)];
+pub(crate) const TESTS: &[Test] = &[
+    ("nothing_moves_at_a_standing_body", nothing_moves_at_a_standing_body),
+    ("a_foot_treads_down_what_it_steps_on", a_foot_treads_down_what_it_steps_on),
+];
 
 /// The body comes, stops among the plants, and stands for 10 s (turning by `turn` rad/s there). Returns changes of contact and of faces,
 /// the largest move of a vertex \[m\], the deepest one \[m\], and how many billboards it holds.
@@ -61,4 +64,36 @@ fn nothing_moves_at_a_standing_body() {
     }
     let (_, faces, moved, ..) = stand(&block("box", Vec3::new(0.5, 1.8, 0.3), 0.0, 64), 1.0);
     assert!(faces > 0 && moved > 1e-4, "a turning box must move them: {faces}, {moved}");
+}
+
+/// A flat foot comes down at 1 m/s and stands: what grows under it lies on the ground then, but for some near its rim that lean out.
+fn a_foot_treads_down_what_it_steps_on() {
+    let co = coefficients(3, 3);
+    for thick in [0.06, 0.12, 0.3] {
+        let foot = block("foot", Vec3::new(0.5, thick, 0.7), 0.0, 64);
+        let (mut under, mut flat, mut beside, mut jump) = (0, 0, 0, 0.0f32);
+        for k in 0..121 {
+            let (x, z) = ((k % 11) as f32 * 0.06 - 0.3, (k / 11) as f32 * 0.08 - 0.4);
+            let narrow = SheetRoot { half_width: [0.03, 0.0], ..root(x, z, 0.0, 0.15) };
+            let mut plant = Plant::new(&co, narrow);
+            for frame in 0..60 {
+                let high = (0.4 - STEP * frame as f32).max(0.0);
+                let heads = [head(&foot.map, 0, Vec3::Y * high, 0.0)];
+                let before = plant.shown;
+                plant.step(&co, &Maps { heads: &heads, texels: &foot.map.texels }, [0.0, 1.0]);
+                let moves = plant.shown.at.iter().zip(&before.at).map(|(a, b)| Vec3::from(*a).distance(Vec3::from(*b)) / 0.15);
+                jump = moves.fold(jump, f32::max);
+            }
+            let top = plant.shown.at[3..9].iter().fold(0.0f32, |top, at| top.max(at[1]));
+            // Near the rim plants may lean out of it.
+            if x.abs() < 0.16 && z.abs() < 0.26 {
+                under += 1;
+                flat += u32::from(top < 0.01);
+            } else if x.abs() > 0.29 || z.abs() > 0.39 {
+                beside += u32::from(top > 0.14);
+            }
+        }
+        println!("foot of {thick} m: {flat} of {under} plants under it lie flat, {beside} beside it stand; jump {jump:.2} L");
+        assert!(under > 20 && 10 * flat >= 8 * under && beside > 20 && jump < 0.35, "{flat} of {under}, {beside}, {jump}");
+    }
 }

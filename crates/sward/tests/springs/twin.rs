@@ -4,7 +4,7 @@ use std::mem::{offset_of, size_of};
 
 use sward::interaction::distance_map::{self, DistanceMapHead};
 use sward::math;
-use sward::response::springs::{CLEAR, MOST_VERTICES, ROUNDS, SPREAD, SheetRoot, SpringsCoefficients, TOLERANCE, TRODDEN, WGSL};
+use sward::response::springs::{CLEAR, MOST_VERTICES, ROUNDS, SPREAD, STEP_WGSL, SheetRoot, SpringsCoefficients, TOLERANCE, TRODDEN, WGSL};
 
 use crate::Test;
 
@@ -16,20 +16,14 @@ pub(crate) const TESTS: &[Test] = &[
 const HOST: &str = "
 @group(0) @binding(0) var<storage> maps: array<DistanceMapHead>;
 @group(0) @binding(1) var<storage> texels: array<vec4<f32>>;
-@group(0) @binding(2) var<uniform> co: SpringsCoefficients;
+@group(0) @binding(2) var<storage> models: array<SpringsCoefficients>;
 @group(0) @binding(3) var<storage> roots: array<SheetRoot>;
-@group(0) @binding(4) var<storage, read_write> sheet: Sheet;
+@group(0) @binding(4) var<storage, read_write> words: array<u32>;
 fn distance_map_load(index: u32) -> vec4<f32> { return texels[index]; }
 fn springs_map(index: u32) -> DistanceMapHead { return maps[index]; }
-@compute @workgroup_size(1) fn main() {
-    let root = roots[0];
-    var wind = springs_pose(co, root, vec2<f32>(0.1), vec2<f32>(0.2));
-    var stored = sheet;
-    var faces = SheetFaces();
-    let steps = springs_step(co, SpringsMaps(0u, 1u, 0u), root, &wind, vec2<f32>(0.0, 1.0), &stored, 0u, &faces);
-    stored.at[0] = springs_point(co, root, &stored, f32(steps), 0.5) + distance_map_contact_at(maps[0], stored.at[1]).normal;
-    sheet = stored;
-}";
+fn springs_word(k: u32) -> u32 { return words[k]; }
+fn springs_put_word(k: u32, word: u32) { words[k] = word; }
+";
 
 fn validated(text: &str) -> Result<naga::Module, String> {
     let module = naga::front::wgsl::parse_str(text).map_err(|e| e.emit_to_string(text))?;
@@ -39,7 +33,7 @@ fn validated(text: &str) -> Result<naga::Module, String> {
 }
 
 fn text() -> String {
-    [&[math::WGSL, distance_map::WGSL], &WGSL[..]].concat().concat()
+    [&[math::WGSL, distance_map::WGSL], &WGSL[..], &STEP_WGSL[..]].concat().concat()
 }
 
 fn offsets(module: &naga::Module, name: &str) -> Vec<usize> {

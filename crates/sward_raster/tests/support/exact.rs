@@ -1,10 +1,11 @@
-//! What every pixel's motion should be, in f64, from the core alone: spines, meshes and cameras of both moments.
+//! What every pixel's motion should be, in f64, from the core alone: spines, sheets, meshes and cameras of both moments.
 
 use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3, Vec3};
 use sward::geometry::card::rung;
 use sward::geometry::mesh::Mesh;
+use sward::geometry::sheet::{Around, SheetOf, corner};
 use sward::math::smoothstep;
 use sward::picture::aov::Aov;
 use sward::picture::identity::Identity;
@@ -64,7 +65,7 @@ impl Camera {
 /// Everything drawn at one moment.
 pub(crate) struct Moment {
     pub(crate) camera: Camera,
-    /// Cards by stand, patch and cell of the root.
+    /// Cards and sheets by stand, patch and cell of the root.
     plants: BTreeMap<(usize, PatchKey, [u32; 2]), Vec<Triangle>>,
     /// By number of the body.
     bodies: BTreeMap<u32, Vec<Triangle>>,
@@ -90,7 +91,7 @@ fn plants(world: &World, view: &View, behind: f64) -> BTreeMap<(usize, PatchKey,
             let uniform = PrepareUniform::new(world, stand, plain == 1, &seen, &looks[index]);
             let (cells, terrain, intervals) = (&world.state.stands[index].cells, &world.model.terrain, stand.cells / NODE_CELLS);
             let preparing = Preparing { uniform, cells, terrain, stand, wind: &wind, intervals };
-            let (joints, cards) = (uniform.drawn as usize + 1, stand.species.billboard.cards);
+            let (joints, cards) = (uniform.joints() as usize, stand.species.cards());
             for draw in &batch.draws {
                 let mut solved = vec![Plant::default(); draw.count as usize];
                 let mut spines = vec![[0.0; 4]; solved.len() * joints];
@@ -115,6 +116,9 @@ fn triangles(plant: &Plant, spine: &[[f32; 4]], cards: u32, [near, end]: [f32; 2
     let away = Vec3::from(plant.root).distance(eye.into());
     let keep = 1.0 - 0.85 * smoothstep(near, end, away + (plant.tint - 0.5) * 0.3 * (end - near));
     let joint = |at: usize| Vec3::new(spine[at][0], spine[at][1], spine[at][2]);
+    if cards == 0 {
+        return sheet(plant, &spine.iter().map(|at| Vec3::new(at[0], at[1], at[2])).collect::<Vec<_>>(), keep, frame);
+    }
     let last = spine.len() - 1;
     let mut all = Vec::new();
     for card in 0..cards {
@@ -125,6 +129,25 @@ fn triangles(plant: &Plant, spine: &[[f32; 4]], cards: u32, [near, end]: [f32; 2
         };
         for at in 0..last {
             let [a, b, c, d] = [corner(at, -1.0), corner(at, 1.0), corner(at + 1, -1.0), corner(at + 1, 1.0)];
+            all.extend([[a, b, c], [c, b, d]]);
+        }
+    }
+    all
+}
+
+fn sheet(plant: &Plant, points: &[Vec3], keep: f32, frame: &Frame) -> Vec<Triangle> {
+    let pieces = points.len().isqrt() - 1;
+    let of = SheetOf { root: plant.root.into(), width: plant.width, height: plant.height, tint: plant.tint };
+    let corner = |column: usize, row: usize| {
+        let (side, along) = (2.0 * column as f32 / pieces as f32 - 1.0, row as f32 / pieces as f32);
+        let around = Around::of(pieces, [column, row], |at| points[at]);
+        placed(corner(&of, &around, [side, along], keep).place, frame)
+    };
+    let mut all = Vec::new();
+    for row in 0..pieces {
+        for column in 0..pieces {
+            let [a, b] = [corner(column, row), corner(column + 1, row)];
+            let [c, d] = [corner(column, row + 1), corner(column + 1, row + 1)];
             all.extend([[a, b, c], [c, b, d]]);
         }
     }
@@ -159,6 +182,17 @@ fn hit(eye: DVec3, ray: DVec3, [a, b, c]: &Triangle) -> Option<(f64, DVec3)> {
 
 /// The motion a pixel should have; `None` where nothing is at its depth, as at a triangle's rim, or where it was not drawn before.
 pub(crate) fn motion(world: &World, identity: &Identity, moments: [&Moment; 2], aov: &Aov, at: usize) -> Option<DVec2> {
+    seen(world, identity, moments, aov, at).map(|(motion, _)| motion)
+}
+
+/// Where a triangle is seen, twice its area in pixels, less than 0 from the other side.
+fn area(camera: &Camera, triangle: &Triangle) -> f64 {
+    let [a, b, c] = triangle.map(|corner| camera.project(corner).0);
+    (b - a).perp_dot(c - a)
+}
+
+/// Motion, and how large the triangle there was seen before, of what it is seen now: less than 0 from the other side.
+pub(crate) fn seen(world: &World, identity: &Identity, moments: [&Moment; 2], aov: &Aov, at: usize) -> Option<(DVec2, f64)> {
     let [before, now] = moments;
     let pixel = DVec2::new(f64::from(at as u32 % aov.width) + 0.5, f64::from(at as u32 / aov.width) + 0.5);
     let (depth, number) = (f64::from(aov.depth[at]), aov.plant[at]);
@@ -169,18 +203,18 @@ pub(crate) fn motion(world: &World, identity: &Identity, moments: [&Moment; 2], 
             (now.plants.get(&key)?, before.plants.get(&key)?)
         }
         None if number > 0 => (now.bodies.get(&number)?, before.bodies.get(&number)?),
-        None if depth.is_infinite() => return Some(before.camera.turned(now.camera.ray(pixel)) - pixel),
-        None => return Some(before.camera.project(now.camera.point(pixel, depth)).0 - pixel),
+        None if depth.is_infinite() => return Some((before.camera.turned(now.camera.ray(pixel)) - pixel, 1.0)),
+        None => return Some((before.camera.project(now.camera.point(pixel, depth)).0 - pixel, 1.0)),
     };
     if here.len() != there.len() {
         return None;
     }
     let (ray, eye) = (now.camera.ray(pixel), now.camera.eye);
-    let hits = here.iter().zip(there).filter_map(|(here, there)| hit(eye, ray, here).map(|hit| (hit, there)));
-    let ((found, weights), there) = hits.min_by(|a, b| (a.0.0 - depth).abs().total_cmp(&(b.0.0 - depth).abs()))?;
+    let hits = here.iter().zip(there).filter_map(|(here, there)| hit(eye, ray, here).map(|hit| (hit, here, there)));
+    let ((found, weights), here, there) = hits.min_by(|a, b| (a.0.0 - depth).abs().total_cmp(&(b.0.0 - depth).abs()))?;
     if (found - depth).abs() > 1e-4 * depth {
         return None;
     }
     let point = there[0] * weights.x + there[1] * weights.y + there[2] * weights.z;
-    Some(before.camera.project(point).0 - pixel)
+    Some((before.camera.project(point).0 - pixel, area(&before.camera, there) / area(&now.camera, here)))
 }

@@ -28,6 +28,20 @@ pub(crate) fn blade_pass() -> String {
     CAR_PASS.replace("species: Meadow,", "species: Meadow, representation: Blade(blades: 12, width: 0.02),")
 }
 
+/// The same pass through sheets, seen larger.
+pub(crate) fn sheet_pass() -> String {
+    sheets("representation: Sheet()")
+}
+
+/// The same through billboards that bodies deform, drawn as the sheets they are. They recover so fast that the track moves.
+pub(crate) fn deformed_pass() -> String {
+    sheets("response: Springs(recover: 0.3)")
+}
+
+fn sheets(kind: &str) -> String {
+    CAR_PASS.replace("field_of_view: 0.75", "field_of_view: 0.63").replace("species: Meadow,", &format!("species: Meadow, {kind},"))
+}
+
 /// Size of the pictures, pixels.
 pub(crate) const SIZE: [u32; 2] = [320, 180];
 /// The two frames, of 24 a second: whole steps, and how far before that the frame lies.
@@ -161,11 +175,22 @@ impl Pair {
         (0..later.plant.len()).map(motion).collect()
     }
 
+    /// How large the triangle a pixel shows was seen before, of what it is seen now: less than 0 from the other side. `None` where that is not known.
+    pub(crate) fn size_before(&self, at: usize) -> Option<f64> {
+        let identity = Identity::of(&self.world);
+        exact::seen(&self.world, &identity, self.moments.each_ref(), &self.frames[1], at).map(|(_, size)| size)
+    }
+
     /// The motion of the pixels of a kind, and what it should be; `None` where there is nothing to compare with.
     pub(crate) fn exact(&self, kind: Kind) -> Vec<Option<[DVec2; 2]>> {
+        self.exact_of(|at| self.kinds[at] == kind)
+    }
+
+    /// The same of some pixels.
+    pub(crate) fn exact_of(&self, of: impl Fn(usize) -> bool) -> Vec<Option<[DVec2; 2]>> {
         let (later, identity) = (&self.frames[1], Identity::of(&self.world));
         let both = |at: usize| Some([given(later, at), exact::motion(&self.world, &identity, self.moments.each_ref(), later, at)?]);
-        (0..later.plant.len()).filter(|at| self.kinds[*at] == kind).map(both).collect()
+        (0..later.plant.len()).filter(|at| of(*at)).map(both).collect()
     }
 }
 

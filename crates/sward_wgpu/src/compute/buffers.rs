@@ -242,13 +242,16 @@ impl CellBuffers {
     /// Makes room for the sheets of a state, keeping what is stored.
     ///
     /// # Errors
-    /// What the device reports.
+    /// More sheets than one buffer of this device can bind, or what the device reports.
     pub fn reserve_sheets(&mut self, gpu: &Gpu, state: &StandState) -> Result<(), GpuError> {
         let wanted = u64::from(state.sheets.pool.used()) * self.sizes.sheet;
         if wanted * 4 <= self.sheets.size() {
             return Ok(());
         }
         let limit = gpu.device.limits().max_storage_buffer_binding_size / 4;
+        if wanted > limit {
+            return Err(GpuError::TooManySheets { sheets: state.sheets.pool.used(), most: fitting(limit, self.sizes.sheet) });
+        }
         let larger = storage(gpu, "sheets", wanted.next_power_of_two().min(limit));
         gpu.check()?;
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -265,6 +268,16 @@ impl CellBuffers {
             gpu.queue.write_buffer(&self.sheets, 0, bytemuck::cast_slice(&cells.sheets[..words]));
         }
         4 * words as u64
+    }
+
+    /// Reads the sheets back into a state, those of all places it has ever used.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn download_sheets(&self, gpu: &Gpu, state: &mut StandState) -> Result<(), GpuError> {
+        let bytes = 4 * u64::from(state.sheets.pool.used()) * self.sizes.sheet;
+        state.cells.sheets = super::readback::read(gpu, &self.sheets, bytes.min(self.sheets.size()))?;
+        Ok(())
     }
 
     /// Says whose sheet is where in the cells of a slot.

@@ -28,6 +28,7 @@ use buffers::CellBuffers;
 use entries::{Entries, StandUniform};
 use passes::{Passes, StepBuffers};
 use readback::Readback;
+use sheets::SheetPasses;
 use swings::SwingPasses;
 
 /// How hosts read a cell; goes after [`sward::response::continuum::HALF_WGSL`].
@@ -73,6 +74,8 @@ pub struct GpuStep {
     blades: Option<BladePasses>,
     /// Where plants swing by themselves.
     swings: Option<SwingPasses>,
+    /// Where bodies deform billboards.
+    sheets: Option<SheetPasses>,
     stands: Vec<CellBuffers>,
     pending: VecDeque<Pending>,
     /// Counters since the start.
@@ -89,11 +92,13 @@ impl GpuStep {
     pub fn new(gpu: &Gpu, world: &World) -> Result<Self, GpuError> {
         let precision = &world.scene.budget.precision;
         let by_blade = world.model.stands.iter().any(|stand| stand.chain.is_some());
+        let deformed = world.model.stands.iter().any(|stand| stand.springs.is_some());
         let swinging = world.model.stands.iter().any(|stand| stand.oscillator.is_some());
         let mut step = Self {
             passes: Passes::new(gpu, &world.model.wind_texels(), precision),
             blades: by_blade.then(|| BladePasses::new(gpu, &world.model.wind_texels())),
             swings: swinging.then(|| SwingPasses::new(gpu, &world.model.wind_texels())),
+            sheets: deformed.then(|| SheetPasses::new(gpu, world)),
             stands: Vec::new(),
             pending: VecDeque::new(),
             work: Work::default(),
@@ -124,8 +129,10 @@ impl GpuStep {
         gpu.check()?;
         self.collect(gpu, world, LATENCY - 1)?;
         let plan = world.plan();
-        world.step_sheets(&plan);
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        if let Some(passes) = &self.sheets {
+            passes.draw_maps(gpu, &mut encoder, world, &plan.maps, &mut self.work, self.stopwatch.as_mut());
+        }
         let mut stands = Vec::new();
         for (index, stand) in plan.stands.iter().enumerate() {
             self.respond(gpu, world, index, stand, plan.step, &mut encoder, &mut stands)?;
@@ -156,8 +163,9 @@ impl GpuStep {
         self.collect(gpu, world, 0)?;
         let World { model, state, .. } = world;
         for ((buffers, stand), state) in self.stands.iter().zip(&model.stands).zip(&mut state.stands) {
-            // Sheets never left.
+            // Who has which sheet the plan decides: those places never left.
             if stand.springs.is_some() {
+                buffers.download_sheets(gpu, state)?;
                 continue;
             }
             buffers.download(gpu, &mut state.cells)?;
@@ -236,7 +244,7 @@ impl GpuStep {
             gpu.queue.write_buffer(&cells.ground, u64::from(patch.slot) * bytes.len() as u64, bytes);
             self.work.uploaded += bytes.len() as u64;
         }
-        if stand.springs.is_some() {
+        if let (Some(springs), Some(passes)) = (&stand.springs, &self.sheets) {
             cells.reserve_sheets(gpu, state)?;
             for patch in &plan.sheets.changed {
                 let slot = state.awake.get(patch).map(|awake| awake.slot);
@@ -245,9 +253,7 @@ impl GpuStep {
                     cells.place_sheets(gpu, slot, places);
                 }
             }
-            if !plan.sheets.active.is_empty() {
-                self.work.uploaded += cells.upload_sheets(gpu, &state.cells);
-            }
+            passes.record(gpu, encoder, world, (index, springs), plan, cells, &mut self.work, self.stopwatch.as_mut());
             // Nothing to report: a patch sleeps when its sheets have had the time to recover.
             let bytes = plan.patches.len() as u64 * 4 * u64::from(SUMMARY_WORDS);
             let nothing = gpu.filled("summaries", &vec![0; bytes.max(16) as usize], wgpu::BufferUsages::COPY_SRC);

@@ -6,17 +6,10 @@ fn sheet_words(co: SpringsCoefficients) -> u32 {
     return 3u * vertices + (vertices + 3u) / 4u + 1u;
 }
 
-fn sheet_points(co: SpringsCoefficients, root: SheetRoot, first: u32) -> Sheet {
-    var sheet = Sheet();
-    let columns = springs_columns(co);
-    for (var column = 0u; column < columns; column++) {
-        sheet.at[column] = springs_foot(co, root, column);
-    }
-    for (var k = 0u; k < columns * (springs_rows(co) - 1u); k++) {
-        let at = first + 3u * k;
-        sheet.at[columns + k] = bitcast<vec3<f32>>(vec3<u32>(sheet_word(at), sheet_word(at + 1u), sheet_word(at + 2u)));
-    }
-    return sheet;
+// A vertex, counted from the first one above the feet.
+fn sheet_vertex(first: u32, k: u32) -> vec3<f32> {
+    let at = first + 3u * k;
+    return bitcast<vec3<f32>>(vec3<u32>(sheet_word(at), sheet_word(at + 1u), sheet_word(at + 2u)));
 }
 
 fn sheet_steps(co: SpringsCoefficients, first: u32) -> u32 {

@@ -1,11 +1,27 @@
-//! Stands whose billboards bodies deform. Their sheets are stepped by the core's own kernels, also beside a GPU: there are few of them, and their
-//! plan is made on the CPU. The device gets them for pictures.
+//! The step of a stand whose billboards bodies deform: its plan as the passes read it, the passes, and the maps of bodies.
+//!
+//! Who has a sheet, and where, the plan says; so nothing has to come back from the device for it.
 
 use bytemuck::{Pod, Zeroable};
-use sward::response::springs::{SpringsCoefficients, SpringsModel};
+use sward::interaction::distance_map;
+use sward::plan::{ActiveSheet, StandPlan};
+use sward::response::StandModel;
+use sward::response::continuum::NODE_CELLS;
+use sward::response::springs::{self, MOST_MOMENTS, SheetRoot, SpringsCoefficients, SpringsModel, pool, root_of};
+use sward::world::World;
+
+use super::Work;
+use super::buffers::CellBuffers;
+use super::distance_maps::{DistanceMapPasses, MapInput};
+use super::passes::{Groups, Pass};
+use crate::gpu::Gpu;
+use crate::stopwatch::Stopwatch;
 
 /// How sheets lie in their words; needs the springs' texts before it.
 pub const SHEET_WORDS_WGSL: &str = include_str!("sheet_words.wgsl");
+
+/// Most sheets of a dispatch: what they need besides is 23 MB then, with the finest sheets.
+pub const MOST_AT_ONCE: usize = 4096;
 
 /// `SheetStand` of `sheet_bends.wgsl`: what pictures read of a stand.
 #[repr(C)]
@@ -26,4 +42,177 @@ impl SheetUniform {
     pub fn new(model: &SpringsModel) -> Self {
         Self { coefficients: model.coefficients, wind: model.wind, width: model.width, unused: [0.0; 2] }
     }
+}
+
+/// `SheetStep` of `sheets.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct SheetStep {
+    /// Kernel numbers.
+    pub coefficients: SpringsCoefficients,
+    /// k_w.
+    pub wind: f32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: [u32; 3],
+}
+
+/// `SheetEntry` of `sheets.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct SheetEntry {
+    /// Where it stands.
+    pub root: SheetRoot,
+    /// Which patch.
+    pub patch: [i32; 2],
+    /// Where its sheet is stored.
+    pub place: u32,
+    /// 1: it has just got it.
+    pub fresh: u32,
+    /// First of its bodies.
+    pub first: u32,
+    /// Their number.
+    pub count: u32,
+    /// Last moment of the step.
+    pub last: u32,
+    /// Steps by which it recovers faster.
+    pub hurry: u32,
+    /// Where an upright column falls, unit (x, z).
+    pub heading: [f32; 2],
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: [u32; 2],
+}
+
+/// The full text of the compute shader.
+pub fn assembled() -> String {
+    let mut parts = vec![sward::math::WGSL, sward::wind::WGSL, distance_map::WGSL];
+    parts.extend(springs::WGSL.iter().chain(&springs::STEP_WGSL));
+    parts.extend([SHEET_WORDS_WGSL, include_str!("sheets.wgsl")]);
+    parts.join("\n")
+}
+
+/// The passes, and the maps of bodies.
+pub struct SheetPasses {
+    touch: Pass,
+    resolve: Pass,
+    /// Where a body plays a clip.
+    maps: Option<DistanceMapPasses>,
+    tile: wgpu::Buffer,
+    texels: wgpu::Buffer,
+}
+
+impl SheetPasses {
+    /// Builds the pipelines and uploads the maps of bodies: of those that play no clip they stay.
+    pub fn new(gpu: &Gpu, world: &World) -> Self {
+        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("sheets"),
+            source: wgpu::ShaderSource::Wgsl(assembled().into()),
+        });
+        let storage = wgpu::BufferUsages::STORAGE;
+        let texels = if world.texels.is_empty() { &[[0.0; 4]][..] } else { &world.texels };
+        Self {
+            touch: Pass::plain(gpu, &module, "sheet_touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8]),
+            resolve: Pass::plain(gpu, &module, "sheet_resolve_pass", &[0, 2, 3, 4, 5, 6]),
+            maps: world.model.bodies.iter().any(|body| body.is_animated()).then(|| DistanceMapPasses::new(gpu)),
+            tile: gpu.filled("wind tile", bytemuck::cast_slice(&world.model.wind_texels()), storage),
+            texels: gpu.filled("maps of bodies", bytemuck::cast_slice(texels), storage),
+        }
+    }
+
+    /// Records the drawing of maps of bodies that play a clip, each with the seconds since it appeared.
+    pub fn draw_maps(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        world: &World,
+        moving: &[(u32, f64)],
+        work: &mut Work,
+        stopwatch: Option<&mut Stopwatch>,
+    ) {
+        let Some(passes) = &self.maps else { return };
+        let known = |(body, elapsed): &(u32, f64)| {
+            let figure = world.model.bodies.get(*body as usize)?.figure.as_ref()?;
+            let (map, first) = world.model.maps.place(*body as usize)?;
+            Some((figure.points(*elapsed), &figure.figure.triangles, map, first))
+        };
+        let drawn: Vec<_> = moving.iter().filter_map(known).collect();
+        let input = drawn.iter().map(|(points, triangles, map, first)| MapInput {
+            points,
+            triangles,
+            cube: map.cube,
+            size: map.size,
+            first: *first,
+        });
+        passes.record(gpu, encoder, &input.collect::<Vec<_>>(), &self.texels, work, stopwatch);
+    }
+
+    /// Records one step of stand number `index`. A patch whose sheets have recovered sleeps by itself: there is nothing to report.
+    pub fn record(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        world: &World,
+        (index, model): (usize, &SpringsModel),
+        plan: &StandPlan,
+        cells: &CellBuffers,
+        work: &mut Work,
+        mut stopwatch: Option<&mut Stopwatch>,
+    ) {
+        let stand = &world.model.stands[index];
+        let all = entries(world, (index, model), plan);
+        if all.is_empty() {
+            return;
+        }
+        let mut filled = |label: &str, bytes: &[u8]| {
+            work.uploaded += bytes.len() as u64;
+            gpu.filled(label, if bytes.is_empty() { &[0; 80] } else { bytes }, wgpu::BufferUsages::STORAGE)
+        };
+        let numbers = SheetStep { coefficients: model.coefficients, wind: model.wind, unused: [0; 3] };
+        let numbers = filled("sheets", bytemuck::bytes_of(&numbers));
+        let wind = filled("wind", bytemuck::bytes_of(&plan.wind.block(stand.cells / NODE_CELLS)));
+        let heads = filled("where maps are", bytemuck::cast_slice(&plan.sheets.heads));
+        let (columns, rows) = model.coefficients.sides();
+        let words = springs::ROOM * (columns * rows) as u64 + 1;
+        let room = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("sheets in a step"),
+            size: 4 * words * all.len().min(MOST_AT_ONCE) as u64,
+            usage: wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        });
+        let lists: Vec<wgpu::Buffer> =
+            all.chunks(MOST_AT_ONCE).map(|some| filled("deformed billboards", bytemuck::cast_slice(some))).collect();
+        for (some, list) in all.chunks(MOST_AT_ONCE).zip(&lists) {
+            let bound =
+                [(0, &numbers), (1, &wind), (2, list), (3, &cells.sheets), (4, &heads), (5, &self.texels), (6, &room), (8, &self.tile)];
+            let near = some.iter().filter(|entry| entry.count > 0).count();
+            for (pass, count) in [(&self.touch, some.len()), (&self.resolve, near)] {
+                let groups = Groups::Direct([count.div_ceil(64) as u32, 1, u32::from(count > 0)]);
+                work.add(&pass.run(gpu, encoder, &bound, groups, stopwatch.as_deref_mut()));
+            }
+        }
+        work.traffic += all.len() as u64 * (8 * pool::words(&model.coefficients) as u64 + size_of::<SheetEntry>() as u64);
+    }
+}
+
+/// The sheets of a plan, as the passes read them; those first that bodies may touch.
+fn entries(world: &World, (index, model): (usize, &SpringsModel), plan: &StandPlan) -> Vec<SheetEntry> {
+    let (stand, grown): (&StandModel, _) = (&world.model.stands[index], &world.state.stands[index].cells.grown);
+    let entry = |sheet: &ActiveSheet| {
+        let patch = plan.patches[sheet.patch as usize].patch;
+        let root = root_of(&world.model.terrain, stand, model, grown.get(&patch).map(|map| &map[..]), patch, sheet.cell)?;
+        let heads = &plan.sheets.heads[sheet.heads.start as usize..sheet.heads.end as usize];
+        Some(SheetEntry {
+            root,
+            patch,
+            place: sheet.place,
+            fresh: u32::from(sheet.fresh),
+            first: sheet.heads.start,
+            count: heads.len() as u32,
+            last: heads.iter().map(|head| head.moment).max().unwrap_or(0).min(MOST_MOMENTS - 1),
+            hurry: sheet.hurry,
+            heading: sheet.heading,
+            unused: [0; 2],
+        })
+    };
+    let (near, far): (Vec<SheetEntry>, Vec<SheetEntry>) = plan.sheets.active.iter().filter_map(entry).partition(|entry| entry.count > 0);
+    [near, far].concat()
 }

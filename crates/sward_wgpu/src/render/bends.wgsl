@@ -6,13 +6,13 @@ struct Prepare {
     grid: TerrainGrid,
     camera: vec4<f32>,   // eye, m from the frame origin; w unused
     segments: u32,       // of the simulation
-    drawn: u32,          // of the cards: `segments`, or 1 for plain plants
+    drawn: u32,          // of the cards: `segments`, or 1 for plain plants; of sheets, pieces along each side
     bits: u32,           // the drawing order covers 2^bits cells a side
     layer: u32,          // first clump picture
     plain: f32,          // distance beyond which plants are straight, m
     full: f32,           // distance up to which every plant is drawn, m
     gone: f32,           // distance beyond which none is, m
-    width: f32,          // of a card, m
+    width: f32,          // of a card or sheet, m
     wind_response: f32,
     fullness: f32,       // share of plants drawn up to `full`: 1 unless the budget is short
     behind: f32,         // steps, 0 to 1, that the picture lies before the state
@@ -20,6 +20,7 @@ struct Prepare {
     lag: vec4<f32>,      // gains of billboard_earlier
     step: vec4<u32>,     // steps done when the state was so; the rest unused
     identity: vec4<u32>, // of the picture before, for the plants of this one: bits of cell and patch, stand from 1; else 0
+    sheet: vec4<u32>,    // columns and rows of the sheets, the rest unused; all 0 for cards
 }
 
 struct PatchDraw {

@@ -12,6 +12,7 @@ mod pipeline;
 pub mod plant_pass;
 pub mod plants;
 pub mod prepare;
+mod prepare_pipelines;
 pub mod shadow;
 pub mod sky;
 mod surroundings;
@@ -19,7 +20,7 @@ pub mod targets;
 
 pub(crate) use pipeline::{PipelineParts, Slot, aov_pipeline, layout, main_pipeline, shadow_pipeline};
 pub(crate) use surroundings::{Surroundings, entries, slots};
-use sward::geometry::{card, relief};
+use sward::geometry::{card, relief, sheet};
 use sward::shading;
 
 /// Bindings and structs every drawing pass begins with.
@@ -61,6 +62,7 @@ pub fn assembled() -> Vec<(&'static str, String)> {
         ("bodies", assemble(&bodies::PARTS)),
         ("ground", assemble(&ground::PARTS)),
         ("plants", assemble(&plant_pass::PARTS)),
+        ("sheets", assemble(&plant_pass::SHEET_PARTS)),
         ("blades", assemble(&[&[blades::constants().as_str()], &blades::PARTS[..]].concat())),
         ("sky", assemble(&sky::PARTS)),
         ("resolve", assemble(&targets::PARTS)),
@@ -70,6 +72,7 @@ pub fn assembled() -> Vec<(&'static str, String)> {
         ("bodies in surroundings", assemble_lit(&bodies::PARTS)),
         ("ground in surroundings", assemble_lit(&ground::PARTS)),
         ("plants in surroundings", assemble_lit(&plant_pass::PARTS)),
+        ("sheets in surroundings", assemble_lit(&plant_pass::SHEET_PARTS)),
         ("blades in surroundings", assemble_lit(&[&[blades::constants().as_str()], &blades::PARTS[..]].concat())),
         ("sky in surroundings", assemble_lit(&sky::PARTS)),
     ]);

@@ -1,4 +1,4 @@
-//! The pass that draws plants: crossed cards bent along their joints, many plants per instance.
+//! The pass that draws plants: crossed cards bent along their joints, or sheets, many plants per instance.
 
 use std::collections::HashMap;
 
@@ -10,9 +10,65 @@ use super::shadow::ShadowMap;
 use super::{PipelineParts, Slot, Surroundings, entries, layout, lit_shader, main_pipeline, shadow_pipeline, slots};
 use crate::gpu::Gpu;
 
-/// Files of the pass's shader, after the common ones.
-pub const PARTS: [&str; 5] =
-    [super::card::WGSL, super::SHADOWS_WGSL, include_str!("plants.wgsl"), include_str!("leaves.wgsl"), include_str!("plant_shadows.wgsl")];
+/// Files of the pass's shader for cards, after the common ones.
+pub const PARTS: [&str; 6] = [
+    super::card::WGSL,
+    super::SHADOWS_WGSL,
+    include_str!("plants.wgsl"),
+    include_str!("cards.wgsl"),
+    include_str!("leaves.wgsl"),
+    include_str!("plant_shadows.wgsl"),
+];
+/// The same for sheets: other corners.
+pub const SHEET_PARTS: [&str; 6] = [
+    super::sheet::WGSL,
+    super::SHADOWS_WGSL,
+    include_str!("plants.wgsl"),
+    include_str!("sheet_grids.wgsl"),
+    include_str!("leaves.wgsl"),
+    include_str!("plant_shadows.wgsl"),
+];
+
+/// The pipelines of cards, or of sheets.
+struct Pipelines {
+    main: wgpu::RenderPipeline,
+    shadow: wgpu::RenderPipeline,
+}
+
+impl Pipelines {
+    fn new(gpu: &Gpu, parts: &[&str], layouts: [&wgpu::BindGroupLayout; 2], surroundings: Option<&Surroundings>) -> Self {
+        let device = &gpu.device;
+        let [main_layout, shadow_layout] = layouts;
+        let module = lit_shader(device, "plants", parts, surroundings);
+        let main = main_pipeline(
+            device,
+            &PipelineParts {
+                label: "plants",
+                module: &module,
+                layout: main_layout,
+                vertex: "plants_vertex",
+                buffers: &[],
+                fragment: Some("plants_fragment"),
+                coverage: true,
+                depth_write: true,
+            },
+        );
+        let shadow = shadow_pipeline(
+            device,
+            &PipelineParts {
+                label: "plant shadows",
+                module: &module,
+                layout: shadow_layout,
+                vertex: "plants_shadow_vertex",
+                buffers: &[],
+                fragment: Some("plants_shadow_fragment"),
+                coverage: false,
+                depth_write: true,
+            },
+        );
+        Self { main, shadow }
+    }
+}
 
 /// A batch made ready for this frame.
 pub(crate) struct Ready<'a> {
@@ -27,8 +83,9 @@ pub(crate) struct Ready<'a> {
 pub(crate) struct ReadyPlants<'a>(pub(crate) Vec<Ready<'a>>);
 
 pub(crate) struct PlantPass {
-    main: wgpu::RenderPipeline,
-    shadow: wgpu::RenderPipeline,
+    cards: Pipelines,
+    /// Made when there are sheets.
+    sheets: Option<Pipelines>,
     main_layout: wgpu::BindGroupLayout,
     shadow_layout: wgpu::BindGroupLayout,
     pub(crate) clumps: ClumpTexture,
@@ -41,41 +98,14 @@ pub(crate) struct PlantPass {
 impl PlantPass {
     pub(crate) fn new(gpu: &Gpu, looks: &[Look], surroundings: Option<&Surroundings>) -> Self {
         let device = &gpu.device;
-        let module = lit_shader(device, "plants", &PARTS, surroundings);
         let own =
             [(0, Slot::Uniform), (4, Slot::Storage), (5, Slot::Storage), (6, Slot::Uniform), (7, Slot::Pictures), (8, Slot::Filtering)];
         let shadow_layout = layout(device, "plant shadows", &own);
         let main_layout =
             layout(device, "plants", &[&own[..], &[(2, Slot::ShadowMap), (3, Slot::Comparison)], slots(surroundings)].concat());
-        let main = main_pipeline(
-            device,
-            &PipelineParts {
-                label: "plants",
-                module: &module,
-                layout: &main_layout,
-                vertex: "plants_vertex",
-                buffers: &[],
-                fragment: Some("plants_fragment"),
-                coverage: true,
-                depth_write: true,
-            },
-        );
-        let shadow = shadow_pipeline(
-            device,
-            &PipelineParts {
-                label: "plant shadows",
-                module: &module,
-                layout: &shadow_layout,
-                vertex: "plants_shadow_vertex",
-                buffers: &[],
-                fragment: Some("plants_shadow_fragment"),
-                coverage: false,
-                depth_write: true,
-            },
-        );
         Self {
-            main,
-            shadow,
+            cards: Pipelines::new(gpu, &PARTS, [&main_layout, &shadow_layout], surroundings),
+            sheets: None,
             main_layout,
             shadow_layout,
             clumps: ClumpTexture::new(gpu),
@@ -89,9 +119,13 @@ impl PlantPass {
     /// Makes what the batches need; batches with an unknown look or shape are left out.
     pub(crate) fn ready<'a>(&mut self, gpu: &Gpu, frame: &wgpu::Buffer, map: &ShadowMap, draws: &PlantDraws<'a>) -> ReadyPlants<'a> {
         let fits = |(_, batch): &(usize, &PlantBatch<'_>)| {
-            batch.look < self.looks.len() && (1..=MOST_SEGMENTS).contains(&batch.segments) && (1..=MOST_CARDS).contains(&batch.cards)
+            batch.look < self.looks.len() && (1..=MOST_SEGMENTS).contains(&batch.segments) && batch.cards <= MOST_CARDS
         };
         let batches: Vec<(usize, &PlantBatch<'a>)> = draws.batches.iter().enumerate().filter(fits).collect();
+        if self.sheets.is_none() && batches.iter().any(|(_, batch)| batch.is_sheet()) {
+            let layouts = [&self.main_layout, &self.shadow_layout];
+            self.sheets = Some(Pipelines::new(gpu, &SHEET_PARTS, layouts, self.surroundings.as_ref()));
+        }
         ReadyPlants(batches.into_iter().map(|(number, batch)| self.ready_batch(gpu, frame, map, number, *batch)).collect())
     }
 
@@ -122,19 +156,23 @@ impl PlantPass {
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, plants: &ReadyPlants<'_>) {
-        pass.set_pipeline(&self.main);
         for ready in &plants.0 {
+            pass.set_pipeline(&self.pipelines(&ready.batch).main);
             pass.set_bind_group(0, &ready.main, &[]);
             self.draw_batch(pass, &ready.batch);
         }
     }
 
     pub(crate) fn draw_shadow(&self, pass: &mut wgpu::RenderPass<'_>, plants: &ReadyPlants<'_>) {
-        pass.set_pipeline(&self.shadow);
         for ready in plants.0.iter().filter(|ready| ready.batch.shadows) {
+            pass.set_pipeline(&self.pipelines(&ready.batch).shadow);
             pass.set_bind_group(0, &ready.shadow, &[]);
             self.draw_batch(pass, &ready.batch);
         }
+    }
+
+    fn pipelines(&self, batch: &PlantBatch<'_>) -> &Pipelines {
+        self.sheets.as_ref().filter(|_| batch.is_sheet()).unwrap_or(&self.cards)
     }
 
     /// `style` of a batch made ready.
@@ -157,13 +195,15 @@ impl PlantPass {
     }
 }
 
-/// Two triangles per segment; corner numbers are taken apart again in the vertex shader.
+/// Two triangles per segment or piece; corner numbers are taken apart again in the vertex shader.
 fn index_buffer(gpu: &Gpu, segments: u32, cards: u32) -> wgpu::Buffer {
-    let strips = PLANTS_PER_INSTANCE * cards;
-    let corners = 2 * (segments + 1);
+    // Corners of a row, rows, and how often there are so many.
+    let (across, rows, count) = if cards == 0 { (segments + 1, segments + 1, 1) } else { (2, segments + 1, cards) };
+    let strips = PLANTS_PER_INSTANCE * count;
+    let pieces = (0..rows - 1).flat_map(|row| (0..across - 1).map(move |column| row * across + column));
     let indices: Vec<u16> = (0..strips)
-        .flat_map(|strip| (0..segments).map(move |segment| strip * corners + 2 * segment))
-        .flat_map(|at| [at, at + 1, at + 2, at + 2, at + 1, at + 3])
+        .flat_map(|strip| pieces.clone().map(move |piece| strip * across * rows + piece))
+        .flat_map(|at| [at, at + 1, at + across, at + across, at + 1, at + across + 1])
         .map(|index| index as u16)
         .collect();
     gpu.filled("plant indices", bytemuck::cast_slice(&indices), wgpu::BufferUsages::INDEX)

@@ -18,13 +18,14 @@ pub enum PlantCount<'a> {
 pub struct PlantBatch<'a> {
     /// Storage buffer of [`Plant`].
     pub plants: &'a wgpu::Buffer,
-    /// Storage buffer of `vec4<f32>`: joint k (0..=segments) of plant i at `i·(segments+1)+k`.
+    /// Storage buffer of `vec4<f32>`: joint k (0..=segments) of plant i at `i·(segments+1)+k`; of sheets, their (segments + 1)² points, row
+    /// by row from the root up.
     pub joints: &'a wgpu::Buffer,
     /// How many.
     pub count: PlantCount<'a>,
-    /// Segments per card, 1..=8.
+    /// Segments per card, or pieces along each side of a sheet, 1..=8.
     pub segments: u32,
-    /// Crossed cards per plant, 1..=3.
+    /// Crossed cards per plant, 1..=3; 0 where each is a sheet.
     pub cards: u32,
     /// Number of the look in the renderer's setup.
     pub look: usize,
@@ -32,10 +33,17 @@ pub struct PlantBatch<'a> {
     pub shadows: bool,
 }
 
+impl PlantBatch<'_> {
+    /// Whether its plants are sheets.
+    pub fn is_sheet(&self) -> bool {
+        self.cards == 0
+    }
+}
+
 /// All plants of a picture.
 #[derive(Clone, Copy, Default)]
 pub struct PlantDraws<'a> {
-    /// Billboards, near to far.
+    /// Billboards and sheets, near to far.
     pub batches: &'a [PlantBatch<'a>],
     /// Stands of blades.
     pub blades: &'a [super::blades::BladeDraw<'a>],
@@ -43,5 +51,6 @@ pub struct PlantDraws<'a> {
 
 /// Indices drawn per instance.
 pub fn index_count(segments: u32, cards: u32) -> u32 {
-    PLANTS_PER_INSTANCE * cards * segments * 6
+    let quads = if cards == 0 { segments * segments } else { cards * segments };
+    PLANTS_PER_INSTANCE * quads * 6
 }

@@ -1,4 +1,4 @@
-// Plants: crossed cards bent along their joints.
+// Plants: what cards (cards.wgsl) and sheets (sheet_grids.wgsl) have in common.
 
 struct Plant {
     root: vec3<f32>,
@@ -13,7 +13,7 @@ struct Style {
     root: vec4<f32>,  // rgb; w = dryness added to every leaf
     tip: vec4<f32>,   // rgb; w = share of light let through
     mean: vec4<f32>,  // x share of the sky seen by roots, y how fast sunlight fades towards them, zw = distances where plants begin to fade and are gone
-    shape: vec4<u32>, // segments, cards, vertices per plant, plants per instance
+    shape: vec4<u32>, // segments, cards (0: a sheet of as many pieces along each side), vertices per plant, plants per instance
 }
 
 @group(0) @binding(4) var<storage, read> plants: array<Plant>;
@@ -22,33 +22,8 @@ struct Style {
 @group(0) @binding(7) var clumps: texture_2d_array<f32>;
 @group(0) @binding(8) var clump_sampler: sampler;
 
+// A corner of a plant's picture: where it stands, and its place in the picture.
 struct Bent { place: vec3<f32>, across: vec3<f32>, facing: vec3<f32>, along: f32, side: f32, lying: f32 }
-
-// A corner of a card, and where the joints are that shape it.
-struct Corner { card: u32, joint: u32, side: f32, base: u32, here: u32, low: u32, high: u32 }
-
-// Corner `corner` of plant `index`: card, joint and side follow from its number.
-fn plants_corner(index: u32, corner: u32) -> Corner {
-    let segments = style.shape.x;
-    let per_card = 2u * (segments + 1u);
-    let joint = (corner % per_card) / 2u;
-    let first = index * (segments + 1u);
-    let low = first + select(joint - 1u, 0u, joint == 0u);
-    return Corner(corner / per_card, joint, f32(corner & 1u) * 2.0 - 1.0, first, first + joint, low, first + min(joint + 1u, segments));
-}
-
-// A corner between the joints at its places.
-fn plants_bend_between(plant: Plant, corner: Corner, base: vec3<f32>, here: vec3<f32>, low: vec3<f32>, high: vec3<f32>, keep: f32) -> Bent {
-    let turn = plant.yaw + f32(corner.card) * 3.14159265 / f32(style.shape.y);
-    let rung = card_rung(base, here, low, high, turn, plant.width, f32(corner.card + 1u) * f32(corner.joint), keep);
-    let place = rung.middle + rung.across * (0.5 * rung.width * corner.side);
-    return Bent(place, rung.across, rung.facing, f32(corner.joint) / f32(style.shape.x), corner.side, rung.lying);
-}
-
-fn plants_bend(plant: Plant, index: u32, corner: u32, keep: f32) -> Bent {
-    let at = plants_corner(index, corner);
-    return plants_bend_between(plant, at, joints[at.base].xyz, joints[at.here].xyz, joints[at.low].xyz, joints[at.high].xyz, keep);
-}
 
 // How far a plant seen from `eye` is gone, 0 to 1. Plants end at slightly different distances, so that no front is seen.
 fn plants_gone(plant: Plant, eye: vec3<f32>) -> f32 {

@@ -1,12 +1,10 @@
 //! The pass that solves each visible plant once, into joints. What is drawn is decided by [`sward::picture::plan`].
 
 use sward::picture::past::Past;
+use sward::picture::plan::Seen;
 pub use sward::picture::plan::{BatchPlan, PatchDraw, plan};
-use sward::picture::plan::{Seen, THINNING};
 pub use sward::picture::prepare::PrepareUniform;
 use sward::response::{StandModel, chain, oscillation, oscillator, springs};
-use sward::scene::Precision;
-use sward::shading::clump::VARIANTS;
 use sward::shading::look::Look;
 use sward::state::PatchKey;
 use sward::terrain::Terrain;
@@ -14,16 +12,13 @@ use sward::wind::WindField;
 use sward::world::World;
 
 use super::height_samples::HeightSamples;
-use crate::compute::CELLS_WGSL;
+use super::prepare_pipelines::Pipelines;
+pub use super::prepare_pipelines::{Solved, assembled};
 use crate::compute::blades::CHAIN_STAND_WGSL;
 use crate::compute::buffers::{CellBuffers, Numbers};
 use crate::compute::sheets::SHEET_WORDS_WGSL;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
-
-/// Pictures push nothing out of bodies.
-const NO_BODIES: &str = "fn distance_map_load(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }
-fn springs_map(index: u32) -> DistanceMapHead { var head: DistanceMapHead; head.first = index; return head; }";
 
 /// How a stand bends its plants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,8 +65,8 @@ impl Bending {
         match self {
             Self::Continuum => vec![common, include_str!("continuum_bends.wgsl")],
             Self::Sheet => {
-                let bodies = [sward::interaction::distance_map::WGSL, NO_BODIES];
-                [&bodies[..], &springs::WGSL, &[SHEET_WORDS_WGSL, common, include_str!("sheet_bends.wgsl")]].concat()
+                let [vector, sheet, lengths, recover, wind, _] = springs::WGSL;
+                vec![vector, sheet, lengths, recover, wind, SHEET_WORDS_WGSL, common, include_str!("sheet_bends.wgsl")]
             }
             Self::Swing => {
                 let [swing, air] = oscillator::POSE_WGSL;
@@ -84,22 +79,6 @@ impl Bending {
             }
         }
     }
-}
-
-/// The full text of the compute shader.
-pub fn assembled(bending: Bending) -> String {
-    let variants = format!("const CLUMP_VARIANTS: u32 = {VARIANTS}u;\nconst PREPARE_THINNING: f32 = {THINNING:?};");
-    let before = [
-        sward::math::WGSL,
-        sward::wind::WGSL,
-        sward::terrain::WGSL,
-        sward::placement::WGSL,
-        sward::geometry::billboard::WGSL,
-        sward::response::continuum::HALF_WGSL,
-        CELLS_WGSL,
-        &variants,
-    ];
-    [&before[..], &bending.parts(), &[include_str!("prepare.wgsl")]].concat().join("\n")
 }
 
 /// What all passes that solve plants read.
@@ -118,16 +97,9 @@ impl Shared {
 
 /// The pipelines and what they always read.
 pub struct PreparePass {
-    /// For cells at full precision.
-    full: wgpu::ComputePipeline,
-    /// For cells at half precision, where the scene asks for them.
-    half: Option<wgpu::ComputePipeline>,
-    /// For stands that move blade by blade, where there are any.
-    by_blade: Option<wgpu::ComputePipeline>,
-    /// For stands of plants that swing by themselves, where there are any.
-    swinging: Option<wgpu::ComputePipeline>,
-    /// For stands whose billboards bodies deform, where there are any.
-    deformed: Option<wgpu::ComputePipeline>,
+    spines: Pipelines,
+    /// Where there are sheets.
+    sheets: Option<Pipelines>,
     /// What other passes read too.
     pub shared: Shared,
 }
@@ -139,8 +111,8 @@ pub struct BatchBuffers {
     pub filled: Option<(wgpu::Buffer, wgpu::Buffer)>,
     /// Plants in the last picture, those of height 0 included.
     pub plants: u32,
-    /// Segments of each.
-    pub segments: u32,
+    /// Joints of each.
+    pub joints: u32,
     room: u32,
 }
 
@@ -165,37 +137,15 @@ impl BatchBuffers {
 }
 
 impl PreparePass {
-    /// Builds the pipeline for a world's terrain.
+    /// Builds the pipelines for a world.
     pub fn new(gpu: &Gpu, world: &World) -> Self {
-        let module = |bending: Bending| {
-            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some("prepare"),
-                source: wgpu::ShaderSource::Wgsl(assembled(bending).into()),
-            })
-        };
-        let continuum = module(Bending::Continuum);
-        let of = |bending: Bending| bending.is_in(world).then(|| module(bending));
-        let [by_blade, swinging, deformed] = [Bending::Chain, Bending::Swing, Bending::Sheet].map(of);
-        let pipeline = |module: &wgpu::ShaderModule, half: f64| {
-            gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some("prepare"),
-                layout: None,
-                module,
-                entry_point: Some("prepare_pass"),
-                compilation_options: wgpu::PipelineCompilationOptions { constants: &[("half_precision", half)], ..Default::default() },
-                cache: None,
-            })
-        };
-        let storage = |label: &str, contents: &[u8]| gpu.filled(label, contents, wgpu::BufferUsages::STORAGE);
+        let has_sheets = world.model.stands.iter().any(|stand| stand.species.sheet.is_some());
         Self {
-            full: pipeline(&continuum, 0.0),
-            half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(&continuum, 1.0)),
-            by_blade: by_blade.map(|module| pipeline(&module, 0.0)),
-            swinging: swinging.map(|module| pipeline(&module, 0.0)),
-            deformed: deformed.map(|module| pipeline(&module, 0.0)),
+            spines: Pipelines::new(gpu, world, Solved::Spines),
+            sheets: has_sheets.then(|| Pipelines::new(gpu, world, Solved::Sheets)),
             shared: Shared {
                 heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
-                tile: storage("wind tile", bytemuck::cast_slice(&world.model.wind_texels())),
+                tile: gpu.filled("wind tile", bytemuck::cast_slice(&world.model.wind_texels()), wgpu::BufferUsages::STORAGE),
             },
         }
     }
@@ -256,14 +206,15 @@ impl PreparePass {
         buffers: &mut BatchBuffers,
         stopwatch: Option<&mut Stopwatch>,
     ) {
-        (buffers.plants, buffers.segments) = (batch.plants, uniform.drawn);
+        (buffers.plants, buffers.joints) = (batch.plants, uniform.joints());
         if batch.draws.is_empty() {
             return;
         }
-        buffers.reserve(gpu, batch.plants, uniform.drawn + 1);
+        buffers.reserve(gpu, batch.plants, uniform.joints());
         let Some((plants, joints)) = &buffers.filled else { return };
         let made = |label: &str, contents: &[u8], usage| gpu.filled(label, contents, usage);
         let wind = wind.block(uniform.placement.cells / sward::response::continuum::NODE_CELLS);
+        let pipelines = self.sheets.as_ref().filter(|_| Solved::of(uniform) == Solved::Sheets).unwrap_or(&self.spines);
         let uniform = made("prepare", bytemuck::bytes_of(uniform), wgpu::BufferUsages::UNIFORM);
         let wind = made("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
         let draws = made("patches to draw", bytemuck::cast_slice(&batch.draws), wgpu::BufferUsages::STORAGE);
@@ -275,24 +226,17 @@ impl PreparePass {
             .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: binding as u32, resource: buffer.as_entire_binding() })
             .collect();
         entries.push(wgpu::BindGroupEntry { binding: 10, resource: wgpu::BindingResource::TextureView(growth) });
-        let half = || self.half.as_ref().filter(|_| cells.precision == Precision::Half).unwrap_or(&self.full);
-        let pipeline = match Bending::of_cells(cells) {
-            Bending::Chain => self.by_blade.as_ref(),
-            Bending::Swing => self.swinging.as_ref(),
-            Bending::Sheet => self.deformed.as_ref(),
-            Bending::Continuum => None,
-        };
         if let Some(numbers) = &cells.numbers {
             entries.push(wgpu::BindGroupEntry { binding: 12, resource: numbers.buffer().as_entire_binding() });
         }
         // It has no upper segments.
         entries.retain(|entry| entry.binding != 4 || Bending::of_cells(cells) != Bending::Swing);
+        let pipeline = pipelines.of(cells);
         if Bending::of_cells(cells) == Bending::Sheet {
             // They have sheets instead, and no time level before.
             entries.retain(|entry| !matches!(entry.binding, 4 | 9));
             entries.push(wgpu::BindGroupEntry { binding: 4, resource: cells.sheets.as_entire_binding() });
         }
-        let pipeline = pipeline.unwrap_or_else(half);
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("prepare"),
             layout: &pipeline.get_bind_group_layout(0),

@@ -1,4 +1,4 @@
-// Prepare: each visible plant is solved once, into joints that the shadow and the main pass share.
+// Prepare: each visible plant is solved once, into joints that the shadow and the main pass share (spines.wgsl, sheets.wgsl).
 // One invocation is one place in the drawing order of one patch. Twin: picture/prepare.rs.
 
 struct Plant {
@@ -12,6 +12,17 @@ struct Plant {
 
 @group(0) @binding(7) var<storage, read_write> plants: array<Plant>;
 @group(0) @binding(8) var<storage, read_write> joints: array<vec4<f32>>;
+
+// A plant where it stands. Twin: picture/sheets.rs.
+struct Rooted {
+    who: Who,
+    ground: f32,   // height at its root, m
+    height: f32,   // as it is drawn, m
+    straight: f32, // how far it is drawn plain, 0..1
+    yaw: f32,
+    width: f32,    // m
+    out: u32,      // its place among all plants
+}
 
 fn nothing(plant: u32) {
     plants[plant] = Plant(vec3<f32>(0.0), 0.0, 0.0, 0.0, 0.0, 0u);
@@ -52,42 +63,17 @@ fn prepare_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let height = placed.height * mix(0.35, 1.0, stay);
-    var local = vec3<f32>(placed.root.x, ground, placed.root.y);
-    let start = local;
-    let length_ = height / f32(prepare.segments);
     var straight = 0.0;
     if prepare.plain > 0.0 {
         straight = smoothstep(0.75 * prepare.plain, 0.97 * prepare.plain, away);
     }
-    var spine: array<vec3<f32>, 9>;
-    spine[0] = start;
-    var bends: array<vec2<f32>, 8>;
     let leans = placement_combed(0.0, 0.0, placed.lean);
     let turn = math_sin_cos(leans.x);
-    let heading = vec2<f32>(turn.y, turn.x);
     let index = cell.y * prepare.placement.cells + cell.x;
-    plant_bends(which, Who(placed.root, placed.height, index, heading, leans.x, leans.y, 0.0, placed.lean), &bends);
-    for (var segment = 0u; segment < prepare.segments; segment++) {
-        local += billboard_segment(billboard_leaning(bends[segment], placed.lean), length_);
-        let floor_ = terrain_height(prepare.grid, draw.anchor, local.xz) + BILLBOARD_CLEARANCE;
-        local.y = max(local.y, floor_);
-        spine[segment + 1u] = local;
-    }
-    let first = out * (prepare.drawn + 1u);
-    let shift = vec3<f32>(draw.offset.x, 0.0, draw.offset.y);
-    for (var k = 0u; k <= prepare.drawn; k++) {
-        let share = f32(k) / f32(prepare.drawn);
-        var joint = mix(start, local, share);
-        if prepare.drawn == prepare.segments {
-            joint = mix(spine[k], joint, straight);
-        }
-        if k > 0u {
-            joint.y = max(joint.y, terrain_height(prepare.grid, draw.anchor, joint.xz) + BILLBOARD_CLEARANCE);
-        }
-        joints[first + k] = vec4<f32>(joint + shift, 0.0);
-    }
-    let chance = fract(placed.tint * 61.7);
+    let who = Who(placed.root, placed.height, index, vec2<f32>(turn.y, turn.x), leans.x, leans.y, 0.0, placed.lean);
     let width = prepare.width * (0.8 + 0.4 * fract(placed.tint * 17.3)) * min(inverseSqrt(thin), 2.2) * mix(0.5, 1.0, stay);
+    solve_joints(which, Rooted(who, ground, height, straight, placed.yaw, width, out));
+    let chance = fract(placed.tint * 61.7);
     var layer = prepare.layer + min(u32(chance * f32(CLUMP_VARIANTS)), CLUMP_VARIANTS - 1u);
     if then {
         layer = prepare_number(draw.patch_index, cell);

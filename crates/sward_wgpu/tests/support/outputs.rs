@@ -11,7 +11,7 @@ use sward_wgpu::studio::{CellsAt, Studio};
 
 use crate::adapter::{Verdict, ensure};
 use crate::edited;
-use crate::reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, world};
+use crate::reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, deformed_pass, sheet_pass, world};
 use crate::verdicts;
 
 /// The worlds of both frames, stepped on the CPU.
@@ -46,15 +46,41 @@ pub(crate) fn blades_are_followed(gpu: &Gpu) -> Verdict {
     Ok(verdicts::blade_pass(&Pair::new(worlds, frames))?)
 }
 
-/// Controls: the frame before.
+/// Motion of sheets is exact, as that of cards.
+pub(crate) fn sheets_are_followed(gpu: &Gpu) -> Verdict {
+    let worlds = worlds_of(&sheet_pass());
+    let frames = on_gpu(gpu, &worlds)?;
+    Ok(verdicts::sheet_pass(&Pair::new(worlds, frames))?)
+}
+
+/// The same of billboards that bodies deform.
+pub(crate) fn deformed_sheets_are_followed(gpu: &Gpu) -> Verdict {
+    let worlds = worlds_of(&deformed_pass());
+    let frames = on_gpu(gpu, &worlds)?;
+    Ok(verdicts::deformed_pass(&Pair::new(worlds, frames))?)
+}
+
+pub(crate) fn outputs_of_deformed_sheets_agree(gpu: &Gpu) -> Verdict {
+    passes_agree(gpu, "deformed sheets", &deformed_pass())
+}
+
 pub(crate) fn outputs_of_blades_agree(gpu: &Gpu) -> Verdict {
-    let worlds = worlds_of(&blade_pass());
+    passes_agree(gpu, "blades", &blade_pass())
+}
+
+pub(crate) fn outputs_of_sheets_agree(gpu: &Gpu) -> Verdict {
+    passes_agree(gpu, "sheets", &sheet_pass())
+}
+
+/// Controls: the frame before.
+fn passes_agree(gpu: &Gpu, name: &str, text: &str) -> Verdict {
+    let worlds = worlds_of(text);
     let theirs = on_gpu(gpu, &worlds)?;
     let studio = sward_raster::Studio::new(&worlds[0]);
     let first = Past::of(&worlds[0], FRAMES[0].1);
     let ours = [0, 1].map(|k| studio.draw_aov(&worlds[k], &first, FRAMES[k].1, SIZE).1);
     for k in 0..2 {
-        agree(&format!("blades, frame {k}"), &ours[k], &theirs[k])?;
+        agree(&format!("{name}, frame {k}"), &ours[k], &theirs[k])?;
     }
     ensure(agree("control: the frame before", &ours[0], &theirs[1]).is_err(), || "the frame before looks the same".to_owned())
 }

@@ -32,7 +32,7 @@ fn on_cpu(world: &World, behind: f64) -> [Vec<f32>; 2] {
         let preparing = Preparing { uniform, cells: &state.cells, terrain: &world.model.terrain, stand, wind: &wind, intervals };
         for draw in &plan.draws {
             let mut solved = vec![Plant::default(); draw.count as usize];
-            let mut spines = vec![[0.0; 4]; solved.len() * (uniform.drawn as usize + 1)];
+            let mut spines = vec![[0.0; 4]; solved.len() * uniform.joints() as usize];
             preparing.prepare_patch(draw, &mut solved, &mut spines);
             gather(&solved, &spines, &mut plants, &mut joints);
         }
@@ -64,7 +64,7 @@ fn solved(gpu: &Gpu, studio: &Studio) -> Result<[Vec<f32>; 2], Failed> {
     for batch in studio.batches(0).into_iter().flatten().filter(|batch| batch.plants > 0) {
         let Some((stored, stored_joints)) = &batch.filled else { continue };
         let solved: Vec<Plant> = readback::read(gpu, stored, u64::from(batch.plants) * 32)?;
-        let bytes = u64::from(batch.plants) * 16 * (u64::from(batch.segments) + 1);
+        let bytes = u64::from(batch.plants) * 16 * u64::from(batch.joints);
         let spines: Vec<[f32; 4]> = readback::read(gpu, stored_joints, bytes)?;
         gather(&solved, &spines, &mut plants, &mut joints);
     }
@@ -121,8 +121,9 @@ pub(crate) fn swings_solved(gpu: &Gpu) -> Verdict {
 
 /// Billboards that bodies deform, as spines: deformed, recovering and free, in gusts.
 pub(crate) fn sheets_bent(gpu: &Gpu) -> Verdict {
-    let text = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: Springs())], wind: [Natural(velocity: (4.0, 2.0))],
-        camera: (eye: (0, 2, -4), target: (0, 0, 6)),
+    let text =
+        "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: Springs(), representation: Billboard())],
+        wind: [Natural(velocity: (4.0, 2.0))], camera: (eye: (0, 2, -4), target: (0, 0, 6)),
         interactors: [(shape: Sphere(radius: 0.7), path: Circle(radius: 3.0, speed: 4.0))])";
     let mut world = World::new(Scene::parse(text, "sheets.ron")?, &sward::model::NoAssets)?;
     (0..80).for_each(|_| world.step());
@@ -134,6 +135,34 @@ pub(crate) fn sheets_bent(gpu: &Gpu) -> Verdict {
     // Control: as if none had a sheet.
     world.state.stands[0].cells.now.iter_mut().for_each(|places| places.fill(f32::from_bits(u32::MAX)));
     ensure(judge("untouched", &own_joints, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || "bodies left no track".to_owned())
+}
+
+/// Billboards that bodies deform, as the sheets they are: deformed, recovering and free, in gusts on a hill; near, thinned out and plain.
+pub(crate) fn deformed_sheets_solved(gpu: &Gpu) -> Verdict {
+    for response in ["", "columns: 2, rows: 9, recover: 1", "columns: 4, rows: 2"] {
+        let text = format!(
+            "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: Springs({response}))],
+            wind: [Natural(velocity: (4.0, 2.0))], camera: (eye: (0, 2, -4), target: (0, 0, 6)), budget: (visible_plants: 20000),
+            edits: [(at: (3, 3), radius: 6, change: Raise(height: 1.2))],
+            interactors: [(shape: Sphere(radius: 0.7), path: Circle(radius: 3.0, speed: 4.0))])"
+        );
+        let mut world = World::new(Scene::parse(&text, "sheets.ron")?, &sward::model::NoAssets)?;
+        (0..80).for_each(|_| world.step());
+        let tolerance = Tolerance { p999: 5e-5, rms: 1e-2, outlier: 1e-3, share: 4e-4 };
+        let own = on_cpu(&world, 0.0)[1].clone();
+        for behind in [0.0, 0.4] {
+            let [plants, points] = on_gpu(gpu, &world, behind)?;
+            let [own_plants, earlier] = on_cpu(&world, behind);
+            judge("plants", &own_plants, &plants, &tolerance)?;
+            judge(&format!("{response}: points"), &earlier, &points, &tolerance)?;
+            let other = judge("another moment", &own, &earlier, &tolerance).is_err();
+            ensure(other == (behind > 0.0), || format!("{behind} steps before the state"))?;
+        }
+        // Control: as if none had a sheet.
+        world.state.stands[0].cells.now.iter_mut().for_each(|places| places.fill(f32::from_bits(u32::MAX)));
+        ensure(judge("untouched", &own, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || "bodies left no track".to_owned())?;
+    }
+    Ok(())
 }
 
 /// A road, a house and a hill that rose: plants that are gone, lower, and higher up.
@@ -164,4 +193,67 @@ pub(crate) fn plants_on_edited_ground(gpu: &Gpu) -> Verdict {
     let standing = |plants: &[f32]| plants.chunks_exact(8).filter(|plant| plant[3] > 0.0).count();
     let (kept, all) = (standing(&on_cpu(&world, 0.0)[0]), standing(&on_cpu(&free, 0.0)[0]));
     ensure(kept + 500 < all, || format!("control: {kept} of {all} plants"))
+}
+
+/// Sheets of every kind of response, near and plain, at the moment of a step and between two; and of the fewest and the most vertices.
+pub(crate) fn sheets_solved(gpu: &Gpu) -> Verdict {
+    for (response, sheet) in [
+        ("Continuum()", ""),
+        ("Continuum()", "columns: 2, rows: 2, points: 3"),
+        ("Oscillator()", "columns: 9, rows: 9, points: 9"),
+        ("VirtualInertia()", "rows: 5"),
+        ("Chain()", ""),
+    ] {
+        let text = format!(
+            "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: {response}, representation: Sheet({sheet}))],
+            wind: [Natural(velocity: (4.0, 2.0))], camera: (eye: (0, 2, -4), target: (0, 0, 6)),
+            budget: (patches: 25, focus_distance: 10.0, lag_distance: 6.0, visible_plants: 20000),
+            interactors: [(shape: Sphere(radius: 1.2), path: Circle(radius: 3.0, speed: 6.0))])"
+        );
+        let mut world = World::new(Scene::parse(&text, "sheets.ron")?, &sward::model::NoAssets)?;
+        (0..40).for_each(|_| world.step());
+        let tolerance = Tolerance { p999: 5e-5, rms: 1e-2, outlier: 1e-4, share: 4e-4 };
+        let [_, own_points] = on_cpu(&world, 0.0);
+        for behind in [0.0, 0.4] {
+            let [plants, points] = on_gpu(gpu, &world, behind)?;
+            let [own_plants, earlier] = on_cpu(&world, behind);
+            judge("plants", &own_plants, &plants, &tolerance)?;
+            judge(&format!("{response} {sheet}: points"), &earlier, &points, &tolerance)?;
+            ensure(plants.len() > 8 * 1000, || format!("only {} plants", plants.len() / 8))?;
+            let other = judge("another moment", &own_points, &earlier, &tolerance).is_err();
+            ensure(other == (behind > 0.0), || format!("{behind} steps before the state"))?;
+        }
+        // Control: a step later.
+        world.step();
+        ensure(judge("a step later", &own_points, &on_cpu(&world, 0.0)[1], &tolerance).is_err(), || {
+            "a step later looks the same".to_owned()
+        })?;
+    }
+    Ok(())
+}
+
+/// No point of a sheet lies below the ground, on steep hills with bumps and in a storm. Control: ground that is shifted.
+pub(crate) fn sheets_stay_above_ground(gpu: &Gpu) -> Verdict {
+    let text = r#"(version: 1, terrain: Image(path: "assets/jacksboro.png", scale: 0.01), detail: (amplitude: 0.4, wavelength: 3, octaves: 4),
+        stands: [(species: Reed, representation: Sheet())], wind: [Natural(velocity: (30, 12), turbulence: 0.5)],
+        interactors: [(shape: Truck, path: Keyframes(keys: [(time: 0, at: (-6, 6)), (time: 1, at: (6, 6))]))],
+        budget: (focus_distance: 20, lag_distance: 20))"#;
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let mut world = World::new(Scene::parse(text, "steep.ron")?, &sward::model::Folder(root.into()))?;
+    (0..60).for_each(|_| world.step());
+    let corner = world.camera().focus().map(|metres| (metres / world.model.patch_side).floor() * world.model.patch_side);
+    let below = |points: &[f32], shift: f64| {
+        let under = |at: &&[f32]| {
+            let ground = world.model.terrain.height_at(f64::from(at[0]) + corner[0] + shift, f64::from(at[2]) + corner[1]);
+            at[1] != 0.0 && f64::from(at[1]) < ground - 1e-4
+        };
+        points.as_chunks::<3>().0.iter().map(|at| &at[..]).filter(under).count()
+    };
+    for (host, points) in [("CPU", on_cpu(&world, 0.0)[1].clone()), ("GPU", on_gpu(gpu, &world, 0.0)?[1].clone())] {
+        let (found, shifted) = (below(&points, 0.0), below(&points, 1.0));
+        println!("{host}: {found} of {} points below the ground, {shifted} of a shifted one", points.len() / 3);
+        ensure(found == 0 && points.len() > 30_000, || format!("{host}: {found} of {} points below the ground", points.len() / 3))?;
+        ensure(shifted > 0, || format!("{host}, control: a shifted ground is not found"))?;
+    }
+    Ok(())
 }

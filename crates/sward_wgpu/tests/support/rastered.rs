@@ -34,12 +34,28 @@ struct Files(Folder);
 
 impl Assets for Files {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        if path == SURROUNDINGS { Ok(surroundings_hdr()) } else { self.0.read(path) }
+        match path {
+            SURROUNDINGS => Ok(surroundings_hdr()),
+            DIRECTIONS => Ok(directions_png()),
+            _ => self.0.read(path),
+        }
     }
 }
 
 /// Name of that picture.
 const SURROUNDINGS: &str = "made here.hdr";
+
+/// Name of a picture of directions.
+const DIRECTIONS: &str = "made here.png";
+
+/// Grass combed one way on the left and another on the right, some 0.7 rad.
+fn directions_png() -> Vec<u8> {
+    let pixels: Vec<u8> = (0..64).flat_map(|at| if at % 8 < 4 { [210, 128, 225] } else { [90, 50, 225] }).collect();
+    let mut bytes = Vec::new();
+    let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
+    encoder.write_image(&pixels, 8, 8, image::ExtendedColorType::Rgb8).expect("written to memory");
+    bytes
+}
 
 /// A blue sky that is bright on one side, a low sun there, brown ground; Radiance RGBE.
 fn surroundings_hdr() -> Vec<u8> {
@@ -71,6 +87,11 @@ fn same(gpu: &Gpu, name: &str, seconds: f64) -> Verdict {
 }
 
 fn same_changed(gpu: &Gpu, name: &str, seconds: f64, change: impl Fn(&mut Scene)) -> Verdict {
+    same_unlike(gpu, name, seconds, change, |_| ()).map(|_| ())
+}
+
+/// The same; returns how far from the picture one is of a world that `spoil` changed, and how far one may be.
+fn same_unlike(gpu: &Gpu, name: &str, seconds: f64, change: impl Fn(&mut Scene), spoil: impl Fn(&mut World)) -> Result<[f64; 2], Failed> {
     let root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let text = std::fs::read_to_string(root.join("scenes").join(format!("{name}.ron")))?;
     let mut scene = Scene::parse(&text, name)?;
@@ -85,6 +106,9 @@ fn same_changed(gpu: &Gpu, name: &str, seconds: f64, change: impl Fn(&mut Scene)
     let begun = Instant::now();
     let apart = difference(&studio.draw(&world, SIZE), &theirs);
     let took = begun.elapsed().as_secs_f64();
+    let mut spoilt = world.clone();
+    spoil(&mut spoilt);
+    let unlike = difference(&studio.draw(&spoilt, SIZE), &theirs);
     steps(&mut world, 0.25);
     let later = difference(&studio.draw(&world, SIZE), &theirs);
     world.model.stands.iter_mut().for_each(|stand| stand.placement.seed ^= 1);
@@ -94,7 +118,8 @@ fn same_changed(gpu: &Gpu, name: &str, seconds: f64, change: impl Fn(&mut Scene)
     let most = if software { SOFTWARE } else { HARDWARE };
     ensure(apart <= most, || format!("{name}: CPU and GPU differ by {apart:.3} of 255 on average, allowed {most}"))?;
     ensure(later > most || !software, || format!("{name}: a quarter of a second later looks the same: {later:.3} of 255"))?;
-    ensure(others > HARDWARE, || format!("{name}: other plants look the same: {others:.3} of 255"))
+    ensure(others > HARDWARE, || format!("{name}: other plants look the same: {others:.3} of 255"))?;
+    Ok([unlike, most])
 }
 
 pub(crate) fn hello(gpu: &Gpu) -> Verdict {
@@ -150,7 +175,55 @@ pub(crate) fn blades(gpu: &Gpu) -> Verdict {
     })
 }
 
-/// Light of surroundings, and of the volume among cards, blades, bare ground and bodies.
+/// Sheets of each kind of response: a continuum, plants that swing by themselves, and blade by blade.
+pub(crate) fn sheets(gpu: &Gpu) -> Verdict {
+    use sward::scene::{Representation, Response};
+    let sheets = |scene: &mut Scene, response: Option<Response>| {
+        scene.stands[0].representation = Some(Representation::Sheet(Default::default()));
+        scene.stands[0].response = response;
+    };
+    same_changed(gpu, "hello", 6.2, |scene| sheets(scene, None))?;
+    same_changed(gpu, "footsteps", 3.0, |scene| {
+        sheets(scene, Some(Response::Oscillator(Default::default())));
+        scene.stands[0].cells = 128;
+    })?;
+    same_changed(gpu, "hello", 3.0, |scene| sheets(scene, Some(Response::VirtualInertia(Default::default()))))
+}
+
+/// Billboards that bodies deform, drawn as they are. Control: as if none had been touched.
+pub(crate) fn deformed_sheets(gpu: &Gpu) -> Verdict {
+    let untouched = |world: &mut World| {
+        world.state.stands[0].cells.now.iter_mut().for_each(|places| places.fill(f32::from_bits(u32::MAX)));
+    };
+    let [unlike, most] = same_unlike(gpu, "stamp", 2.3, |_| (), untouched)?;
+    println!("stamp, untouched: {unlike:.3} of 255");
+    ensure(unlike > most, || format!("untouched it looks the same: {unlike:.3} of 255"))
+}
+
+/// Grass that pictures and numbers comb: cards, blades and sheets. Control: upright, it looks otherwise.
+pub(crate) fn combed(gpu: &Gpu) -> Verdict {
+    for (name, seconds) in [("hello", 1.0), ("blades", 1.0), ("stamp", 2.3)] {
+        let comb = |scene: &mut Scene| {
+            let [x, _, z] = scene.camera.target;
+            scene.stands.iter_mut().for_each(|stand| (stand.lean, stand.messiness) = ([0.1, 0.2], 0.4));
+            let mask =
+                sward::scene::Mask { direction: DIRECTIONS.to_owned(), at: [x - 6.0, z - 6.0], size: [12.0; 2], ..Default::default() };
+            scene.masks.push(mask);
+        };
+        let upright = |world: &mut World| {
+            for stand in &mut world.model.stands {
+                stand.growth.combs.clear();
+                (stand.placement.lean, stand.placement.messiness) = ([0.0; 2], 0.0);
+            }
+        };
+        let [unlike, most] = same_unlike(gpu, name, seconds, comb, upright)?;
+        println!("{name}, upright: {unlike:.3} of 255");
+        ensure(unlike > most, || format!("{name}: upright it looks the same: {unlike:.3} of 255"))?;
+    }
+    Ok(())
+}
+
+/// Light of surroundings, and of the volume among cards, blades, sheets, bare ground and bodies.
 pub(crate) fn surroundings(gpu: &Gpu) -> Verdict {
     let volume = sward::scene::LightVolume { voxel: 1.0, layers: 6, samples: 32, ..Default::default() };
     let light = |scene: &mut Scene| {
@@ -167,5 +240,9 @@ pub(crate) fn surroundings(gpu: &Gpu) -> Verdict {
         light(scene);
         scene.stands[0].representation = Some(sward::scene::Representation::Blade(Default::default()));
         scene.budget.visible_blades = 60_000;
+    })?;
+    same_changed(gpu, "hello", 6.2, |scene| {
+        light(scene);
+        scene.stands[0].representation = Some(sward::scene::Representation::Sheet(Default::default()));
     })
 }

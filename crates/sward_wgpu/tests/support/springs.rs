@@ -38,19 +38,11 @@ fn next_root() -> SheetRoot {
     root.half_width = next_v(); root.slope = next_v(); root.lean = next_v(); root.unused = next_v();
     return root;
 }
-fn next_sheet(co: SpringsCoefficients, root: SheetRoot) -> Sheet {
-    let first = next_v();
-    return springs_pose(co, root, first, next_v());
-}
 fn put_p(p: vec3<f32>) { put_v(p.xy); put_f(p.z); }
 fn put_sheet(co: SpringsCoefficients, sheet: ptr<function, Sheet>) {
     let last = springs_columns(co) * springs_rows(co) - 1u;
     for (var k = 0u; k < 8u; k++) { put_p((*sheet).at[k * last / 7u]); }
 }
-";
-const NO_BODIES: &str = "
-fn distance_map_load(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }
-fn springs_map(index: u32) -> DistanceMapHead { var head: DistanceMapHead; return head; }
 ";
 const TABLES: &str = "
 @group(0) @binding(2) var<storage, read> texels: array<vec4<f32>>;
@@ -58,9 +50,23 @@ const TABLES: &str = "
 fn distance_map_load(index: u32) -> vec4<f32> { return texels[index]; }
 fn springs_map(index: u32) -> DistanceMapHead { return heads[index]; }
 ";
+/// Sheets in a step, in words of a table.
+const ROOM: &str = "
+var<private> own: u32;
+fn springs_word(k: u32) -> u32 { return room[k * COUNT + own]; }
+fn springs_put_word(k: u32, word: u32) { room[k * COUNT + own] = word; }
+";
 
 fn library() -> Vec<&'static str> {
-    [&[math::WGSL, distance_map::WGSL], &springs::WGSL[..]].concat()
+    [&[math::WGSL], &springs::WGSL[..]].concat()
+}
+
+fn library_of_contacts() -> Vec<&'static str> {
+    [&library()[..], &[distance_map::WGSL]].concat()
+}
+
+fn library_of_steps() -> Vec<&'static str> {
+    [&[math::WGSL, distance_map::WGSL], &springs::WGSL[..], &springs::STEP_WGSL].concat()
 }
 
 /// A stand of any kind: sheets of 2 × 2 to 9 × 9 vertices.
@@ -169,7 +175,7 @@ pub(crate) fn contacts(gpu: &Gpu) -> Verdict {
         ]
         .concat();
         let tolerance = Tolerance { p999: 1e-5, rms: 1e-3, outlier: 1e-4, share: 2e-4 };
-        Twin { name: "contacts with maps", library: &library(), host: &host, tables: &bodies.tables(), rust }
+        Twin { name: "contacts with maps", library: &library_of_contacts(), host: &host, tables: &bodies.tables(), rust }
             .check(gpu, By::Absolute(tolerance))
     };
     compare(0.0)?;
@@ -191,10 +197,12 @@ pub(crate) fn poses(gpu: &Gpu) -> Verdict {
         };
         let host = [
             STUBS,
-            NO_BODIES,
             "fn twin() {
             let co = next_springs();
-            var sheet = next_sheet(co, next_root());
+            let root = next_root();
+            let first = next_v();
+            var sheet: Sheet;
+            springs_pose(co, root, vec4<f32>(first, next_v()), &sheet);
             put_sheet(co, &sheet);
             let bend = next_v();
             let turns = next_v();
@@ -217,6 +225,7 @@ pub(crate) fn poses(gpu: &Gpu) -> Verdict {
 
 /// Recovery between two sheets, and points of the surface. Control: a step later.
 pub(crate) fn recoveries(gpu: &Gpu) -> Verdict {
+    let room = vec![0; 4 * MOMENTS as usize * springs::ROOM as usize * MOST_VERTICES];
     let compare = |later: u32| {
         let rust = |n: u32, input: &mut Vec<u32>| {
             let mut random = Random::new(n);
@@ -231,13 +240,19 @@ pub(crate) fn recoveries(gpu: &Gpu) -> Verdict {
         };
         let host = [
             STUBS,
-            NO_BODIES,
+            "@group(0) @binding(2) var<storage, read_write> room: array<u32>;",
+            ROOM,
             "fn twin() {
+            own = in_at / READS;
             let co = next_springs();
             let root = next_root();
-            var stored = next_sheet(co, root);
-            var wind = next_sheet(co, root);
-            var now = springs_recovered(co, root, &stored, &wind, next_u());
+            for (var sheet = SPRINGS_STORED; sheet <= SPRINGS_STANDING; sheet++) {
+                let first = next_v();
+                springs_stand(co, root, sheet, first, next_v());
+            }
+            springs_recover(co, root, SPRINGS_NOW, next_u());
+            var now: Sheet;
+            for (var k = 0u; k < springs_vertices(co); k++) { now.at[k] = springs_at(SPRINGS_NOW, k); }
             put_sheet(co, &now);
             let place = next_v();
             put_p(springs_point(co, root, &now, place.x, place.y));
@@ -246,7 +261,9 @@ pub(crate) fn recoveries(gpu: &Gpu) -> Verdict {
         .concat();
         // Directions almost opposite turn by way of upright or not, as rounding says.
         let tolerance = Tolerance { p999: 1e-5, rms: 1e-4, outlier: 1e-4, share: 1e-4 };
-        Twin { name: "recoveries", library: &library(), host: &host, tables: &[], rust }.check_some(gpu, By::Absolute(tolerance), SHEETS)
+        let twin =
+            Twin { name: "recoveries", library: &[&library()[..], &springs::STEP_WGSL[..1]].concat(), host: &host, tables: &[&room], rust };
+        twin.check_some(gpu, By::Absolute(tolerance), MOMENTS)
     };
     compare(0)?;
     ensure(compare(1).is_err(), || "a step later is not found".to_owned())
@@ -288,26 +305,32 @@ fn part(
     let host = [
         STUBS,
         TABLES,
+        "@group(0) @binding(4) var<storage, read_write> room: array<u32>;",
+        ROOM,
         "fn twin() {
+        own = in_at / READS;
         let co = next_springs();
         let root = next_root();
-        var sheet = next_sheet(co, root);
+        let bend = next_v();
+        springs_stand(co, root, SPRINGS_NOW, bend, next_v());
+        springs_copy(co, SPRINGS_NOW, SPRINGS_BEFORE);
         let first = 3u * next_u();
         let maps = SpringsMaps(first, next_u(), 0u);
         let heading = next_v();
-        var faces = SheetFaces();
         ",
         part.wgsl,
         "
-        put_sheet(co, &sheet);
+        let last = springs_vertices(co) - 1u;
+        for (var k = 0u; k < 8u; k++) { put_p(springs_at(SPRINGS_NOW, k * last / 7u)); }
         var sum = 0u;
-        for (var k = 0u; k < 81u; k++) { sum += faces.way[k]; }
+        for (var k = 0u; k < springs_vertices(co); k++) { sum += springs_left(k); }
         put_f(f32(sum));
     }",
     ]
     .concat();
-    let tables = [bytemuck::cast_slice(&bodies.texels), bytemuck::cast_slice(&there)];
-    Twin { name: part.name, library: &library(), host: &host, tables: &tables, rust: twin }.check_some(
+    let room = vec![0; 4 * MOMENTS as usize * springs::ROOM as usize * MOST_VERTICES];
+    let tables = [bytemuck::cast_slice(&bodies.texels), bytemuck::cast_slice(&there), &room];
+    Twin { name: part.name, library: &library_of_steps(), host: &host, tables: &tables, rust: twin }.check_some(
         gpu,
         By::Absolute(part.tolerance),
         MOMENTS,
@@ -330,10 +353,9 @@ fn check(
 
 /// Pushes, springs and lengths. Which way out is the nearest, and whether a vertex lies in a body, rounding may decide.
 pub(crate) fn pushes(gpu: &Gpu) -> Verdict {
-    let wgsl = "springs_push(co, maps, root, 0u, &sheet, &faces);
-        var fixed_ = SheetFixed();
-        springs_sweep(co, root, &sheet, &fixed_);
-        springs_pass(co, root, &sheet);";
+    let wgsl = "springs_push(co, maps, root, 0u, SPRINGS_NOW);
+        springs_sweep(co, root, SPRINGS_NOW);
+        springs_keep_lengths(co, root, SPRINGS_NOW);";
     let tolerance = Tolerance { p999: 1e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
     check(gpu, &Part { name: "pushes, springs and lengths", wgsl, tolerance }, |co, root, maps, _, sheet, faces| {
         let moved = springs::push(co, root, maps, 0, sheet, faces);
@@ -345,9 +367,8 @@ pub(crate) fn pushes(gpu: &Gpu) -> Verdict {
 
 /// Columns that lie down, no farther than they may. Whether a vertex lies in a body rounding may decide, at each of six halvings.
 pub(crate) fn lays(gpu: &Gpu) -> Verdict {
-    let wgsl = "var before = sheet;
-        springs_lay(co, maps, root, 0u, &sheet, &faces, heading);
-        springs_spread(co, root, 1u, &before, &sheet);";
+    let wgsl = "springs_lay(co, maps, root, 0u, SPRINGS_NOW, heading);
+        springs_spread(co, root, 1u, SPRINGS_NOW);";
     let tolerance = Tolerance { p999: 1e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
     check(gpu, &Part { name: "columns that lie down", wgsl, tolerance }, |co, root, maps, heading, sheet, faces| {
         let before = *sheet;

@@ -15,7 +15,7 @@ use crate::pictures::{SIZE, difference, golden, shipped, taken, taken_on_gpu, wo
 ///
 /// The same driver draws the same picture but for its version and the processor's vector width, which turn coverage samples at leaf
 /// edges; reed has the most edges, lawn the finest.
-const GOLDENS: [(&str, f64, u8, f64); 7] = [
+const GOLDENS: [(&str, f64, u8, f64); 9] = [
     ("hello", 5.2, 12, 0.01),
     ("lawn", 6.0, 12, 0.01),
     ("reed", 5.0, 16, 0.02),
@@ -23,6 +23,8 @@ const GOLDENS: [(&str, f64, u8, f64); 7] = [
     ("blades", 2.0, 16, 0.02),
     ("grassland", 4.0, 16, 0.02),
     ("footsteps", 5.2, 16, 0.02),
+    ("stamp", 7.3, 16, 0.02),
+    ("walkers", 8.0, 16, 0.02),
 ];
 
 fn one(gpu: &Gpu, which: usize) -> Verdict {
@@ -51,6 +53,16 @@ pub(crate) fn crossing(gpu: &Gpu) -> Verdict {
 
 pub(crate) fn blades(gpu: &Gpu) -> Verdict {
     one(gpu, 4)
+}
+
+/// Billboards that bodies deform, as sheets.
+pub(crate) fn stamp(gpu: &Gpu) -> Verdict {
+    one(gpu, 7)
+}
+
+/// Prints of skinned figures in short grass.
+pub(crate) fn walkers(gpu: &Gpu) -> Verdict {
+    one(gpu, 8)
 }
 
 /// Plants that swing by themselves, footprints among them.
@@ -126,7 +138,7 @@ fn buried(gpu: &Gpu, model: &Model, studio: &Studio, corner: [f64; 2], depth: f6
     for batch in studio.batches(0).into_iter().flatten().filter(|batch| batch.plants > 0) {
         let Some((plants, joints)) = &batch.filled else { continue };
         let plants: Vec<Plant> = readback::read(gpu, plants, u64::from(batch.plants) * 32)?;
-        let count = batch.segments as usize + 1;
+        let count = batch.joints as usize;
         let joints: Vec<[f32; 4]> = readback::read(gpu, joints, u64::from(batch.plants) * 16 * count as u64)?;
         for (_, spine) in plants.iter().zip(joints.chunks_exact(count)).filter(|(plant, _)| plant.height > 0.0) {
             for joint in spine {
@@ -196,7 +208,7 @@ fn joints_of(gpu: &Gpu, studio: &Studio) -> Result<Vec<[f32; 4]>, libtest_mimic:
     let mut all = Vec::new();
     for batch in studio.batches(0).into_iter().flatten().filter(|batch| batch.plants > 0) {
         let Some((_, joints)) = &batch.filled else { continue };
-        all.extend(readback::read::<[f32; 4]>(gpu, joints, u64::from(batch.plants) * 16 * u64::from(batch.segments + 1))?);
+        all.extend(readback::read::<[f32; 4]>(gpu, joints, u64::from(batch.plants) * 16 * u64::from(batch.joints))?);
     }
     Ok(all)
 }

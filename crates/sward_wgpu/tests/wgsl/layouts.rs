@@ -21,7 +21,7 @@ use sward::wind::{Footprint, Octave, WindBlock};
 use sward_wgpu::compute::blades::{ChainPatch, ChainUniform};
 use sward_wgpu::compute::distance_maps::MapDraw;
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
-use sward_wgpu::compute::sheets::SheetUniform;
+use sward_wgpu::compute::sheets::{SheetEntry, SheetStep, SheetUniform};
 use sward_wgpu::compute::swings::{SwingPatch, SwingStep, SwingUniform};
 use sward_wgpu::render::plants::Plant;
 use sward_wgpu::render::prepare::{PatchDraw, PrepareUniform};
@@ -127,7 +127,8 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         substeps,
         lag,
         step,
-        identity
+        identity,
+        sheet
     });
     let draw = layout!(PatchDraw { offset, patch as "patch_index", anchor, weights, slots, lags, first, count, growth });
     let frame = layout!(FrameUniform {
@@ -190,6 +191,12 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ),
         ("Root", text_of("step blade by blade"), layout!(Root { at, length, yaw, lean, curl, unused, slope, more_unused })),
         ("SolidHead", text_of("step blade by blade"), layout!(SolidHead { first, count, moment, body, low, high, centre, turn, radii })),
+        ("SheetStep", text_of("step sheet by sheet"), layout!(SheetStep { coefficients, wind, unused as "unused_a" })),
+        (
+            "SheetEntry",
+            text_of("step sheet by sheet"),
+            layout!(SheetEntry { root, patch as "patch_index", place, fresh, first, count, last, hurry, heading, unused as "unused_a" }),
+        ),
         ("SheetStand", text_of("prepare sheet by sheet"), layout!(SheetUniform { coefficients, wind, width, unused })),
         ("MapDraw", text_of("distance maps"), layout!(MapDraw { first, winners, size, half, scale })),
         ("SwingStand", text_of("prepare plant by plant"), layout!(SwingUniform { coefficients, patch_side, unused })),

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sward::geometry::{billboard, blade, card, relief};
+use sward::geometry::{billboard, blade, card, relief, sheet};
 use sward::response::{chain, continuum, oscillation, oscillator, springs};
 use sward::{growth, interaction, math, placement, shading, terrain, wind};
 
@@ -16,7 +16,9 @@ const WIND_STUB: &str = "fn wind_tile_load(index: u32) -> vec2<f32> { return vec
 const CONTACT_STUB: &str = "fn contact_edge(index: u32) -> ContactEdge { var edge: ContactEdge; return edge; }";
 const SOLID_STUB: &str = "fn solid_plane(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }";
 const DISTANCE_MAP_STUB: &str = "fn distance_map_load(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }";
-const SPRINGS_STUB: &str = "fn springs_map(index: u32) -> DistanceMapHead { var head: DistanceMapHead; return head; }";
+const SPRINGS_STUBS: &str = "fn springs_map(index: u32) -> DistanceMapHead { var head: DistanceMapHead; return head; }
+fn springs_word(k: u32) -> u32 { return k; }
+fn springs_put_word(k: u32, word: u32) {}";
 const STANDING_STUBS: &str = "fn steady_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); } \
     fn standing_load(before: bool, index: u32) -> f32 { return f32(index); }";
 const HELD_STUBS: &str = "fn push_solid(index: u32) -> SolidHead { var solid: SolidHead; return solid; } \
@@ -44,7 +46,8 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("billboard", vec![math::WGSL, billboard::WGSL]),
         ("oscillation", vec![math::WGSL, oscillation::WGSL]),
         ("solid", vec![math::WGSL, SOLID_STUB, interaction::solid::WGSL]),
-        ("springs", [&distance_map[..], &[SPRINGS_STUB], &springs::WGSL].concat()),
+        ("springs", [&[math::WGSL], &springs::WGSL[..]].concat()),
+        ("springs' steps", [&distance_map[..], &springs::WGSL, &[SPRINGS_STUBS], &springs::STEP_WGSL].concat()),
         ("distance_map", distance_map),
         ("raster", vec![math::WGSL, interaction::distance_map::RASTER_WGSL]),
         ("standing", standing.clone()),
@@ -54,6 +57,7 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("oscillator", [&[math::WGSL, interaction::WGSL, CONTACT_STUB, oscillation::WGSL, AIR_STUB], &oscillator::WGSL[..]].concat()),
         ("oscillator's poses", [&[math::WGSL, oscillation::WGSL, AIR_STUB], &oscillator::POSE_WGSL[..]].concat()),
         ("card", vec![math::WGSL, card::WGSL]),
+        ("sheet", vec![sheet::WGSL]),
         ("blade", vec![math::WGSL, billboard::WGSL, blade::WGSL]),
         ("relief", vec![RELIEF_STUB, relief::WGSL]),
         ("shading/common", vec![shading::COMMON_WGSL]),

@@ -1,16 +1,20 @@
 //! All shaders, as the passes hand them to the device.
 
-use sward_wgpu::render::prepare::Bending;
+use sward_wgpu::render::prepare::{Bending, Solved};
 use sward_wgpu::{compute, render};
 
 /// Every assembled shader with its name. A new host of WGSL adds its text here.
 pub(crate) fn assembled() -> Vec<(&'static str, String)> {
     let mut texts = render::assembled();
     texts.push(("step", compute::passes::assembled()));
-    texts.push(("prepare", render::prepare::assembled(Bending::Continuum)));
-    texts.push(("prepare blade by blade", render::prepare::assembled(Bending::Chain)));
-    texts.push(("prepare plant by plant", render::prepare::assembled(Bending::Swing)));
-    texts.push(("prepare sheet by sheet", render::prepare::assembled(Bending::Sheet)));
+    for (names, solved) in [
+        (["prepare", "prepare blade by blade", "prepare plant by plant", "prepare sheet by sheet"], Solved::Spines),
+        (["prepare sheets", "prepare sheets blade by blade", "prepare sheets plant by plant", "prepare deformed sheets"], Solved::Sheets),
+    ] {
+        let bendings = [Bending::Continuum, Bending::Chain, Bending::Swing, Bending::Sheet];
+        texts.extend(names.into_iter().zip(bendings.map(|bending| render::prepare::assembled(bending, solved))));
+    }
+    texts.push(("step sheet by sheet", compute::sheets::assembled()));
     texts.push(("step plant by plant", compute::swings::assembled()));
     texts.push(("distance maps", compute::distance_maps::assembled()));
     texts.push(("step blade by blade", compute::blades::assembled()));

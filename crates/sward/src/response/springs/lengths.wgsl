@@ -27,19 +27,23 @@ fn springs_placed(root: SheetRoot, below: vec3<f32>, at: vec3<f32>, segment: f32
     return springs_on_ground(root, below, way, segment);
 }
 
-fn springs_pass(co: SpringsCoefficients, root: SheetRoot, sheet: ptr<function, Sheet>) {
-    let columns = springs_columns(co);
-    let segment = springs_segment(co, root);
-    for (var column = 0u; column < columns; column++) {
-        var carried = vec3<f32>(0.0);
-        for (var row = 1u; row < springs_rows(co); row++) {
-            let vertex = row * columns + column;
-            let at = (*sheet).at[vertex] + carried;
-            let there = springs_placed(root, (*sheet).at[vertex - columns], at, segment);
-            carried += there - at;
-            (*sheet).at[vertex] = there;
-        }
-    }
+// A column on its way up: where it would be, where it is, and how far it was carried.
+struct SpringsColumn {
+    would: vec3<f32>,
+    at: vec3<f32>,
+    carried: vec3<f32>,
+}
+
+fn springs_from(foot: vec3<f32>) -> SpringsColumn {
+    return SpringsColumn(foot, foot, vec3<f32>(0.0));
+}
+
+// The next vertex of a column: a segment along a direction, above the ground, where what lies below has carried it.
+fn springs_raised(root: SheetRoot, column: SpringsColumn, way: vec3<f32>, segment: f32) -> SpringsColumn {
+    let would = column.would + way * segment;
+    let at = would + column.carried;
+    let there = springs_placed(root, column.at, at, segment);
+    return SpringsColumn(would, there, column.carried + there - at);
 }
 
 fn springs_flat(root: SheetRoot, way: vec3<f32>, otherwise: vec2<f32>) -> vec3<f32> {

@@ -44,17 +44,20 @@ pub use step::{HeldSheet, ROUNDS, is_touched, resolve, step};
 pub use sweep::sweep;
 pub use wind::{Wave, pose, sway};
 
-/// The functions of one billboard in WGSL, in the order they need each other; they need `math` and
-/// [`crate::interaction::distance_map::WGSL`] before them, and `springs_map(index: u32) -> DistanceMapHead` from the host.
-pub const WGSL: [&str; 10] = [
+/// The functions of one billboard in WGSL that pictures need as well, in the order they need each other; they need `math` before them.
+pub const WGSL: [&str; 6] = [
     include_str!("vector.wgsl"),
     include_str!("sheet.wgsl"),
     include_str!("lengths.wgsl"),
-    include_str!("sweep.wgsl"),
-    include_str!("push.wgsl"),
-    include_str!("lay.wgsl"),
     include_str!("recover.wgsl"),
     include_str!("wind.wgsl"),
-    include_str!("step.wgsl"),
     include_str!("surface.wgsl"),
 ];
+
+/// The functions of a step in WGSL; they need [`WGSL`] and [`crate::interaction::distance_map::WGSL`] before them, and from the host
+/// `springs_map(index: u32) -> DistanceMapHead` and a billboard's own words: `springs_word(k: u32) -> u32`, `springs_put_word(k: u32, word: u32)`.
+pub const STEP_WGSL: [&str; 5] =
+    [include_str!("held.wgsl"), include_str!("sweep.wgsl"), include_str!("push.wgsl"), include_str!("lay.wgsl"), include_str!("step.wgsl")];
+
+/// Words of a billboard's own that a step in WGSL needs for each vertex.
+pub const ROOM: u64 = 17;

@@ -31,7 +31,7 @@ impl SpringsModel {
         Some(Self {
             coefficients,
             wind: given.wind,
-            width: species.billboard.width,
+            width: species.width(),
             texels: given.texels,
             capacity,
             settle: (f64::from(given.recover) / dt).ceil() as u32 + 2,

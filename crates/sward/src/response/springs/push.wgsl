@@ -1,14 +1,10 @@
-// Vertices go out of bodies. Twin: push.rs, where everything is explained. Needs math, distance_map, vector, sheet.
+// Vertices go out of bodies. Twin: push.rs, where everything is explained. Needs math, distance_map, vector, sheet, held.
 // The host declares `fn springs_map(index: u32) -> DistanceMapHead`.
 
 struct SpringsMaps {
     first: u32,
     count: u32,
     last: u32,
-}
-
-struct SheetFaces {
-    way: array<u32, 81>,
 }
 
 struct SpringsExit {
@@ -34,80 +30,74 @@ fn springs_reach(maps: SpringsMaps, root: SheetRoot) -> bool {
     return false;
 }
 
-fn springs_depth(maps: SpringsMaps, root: SheetRoot, moment: u32, at: vec3<f32>) -> f32 {
-    let height = springs_height(root, at);
-    var most = 0.0;
-    if height <= SPRINGS_TRODDEN {
-        return most;
+// The shortest way out of a body that a point lies in, m, `least` if that is shorter; below 0 outside.
+fn springs_depth_in(head: DistanceMapHead, at: vec3<f32>, least: f32) -> f32 {
+    let own = distance_map_to_body(head, at);
+    if !all(abs(own) < vec3<f32>(head.centre.w)) {
+        return -1.0;
     }
+    var depth = least;
+    for (var face = 0u; face < 6u; face++) {
+        let seen = distance_map_side(head, face, own);
+        if seen.distance >= 0.0 {
+            return -1.0;
+        }
+        depth = math_lower(-seen.depth, depth);
+    }
+    return depth;
+}
+
+// How deep a point lies in any body, m; 0 on the ground under one, below 0 in none.
+fn springs_lies(maps: SpringsMaps, root: SheetRoot, moment: u32, at: vec3<f32>) -> f32 {
+    let least = math_upper(springs_height(root, at) - SPRINGS_TRODDEN, 0.0);
+    var most = -1.0;
     for (var k = 0u; k < maps.count; k++) {
         let head = springs_map(maps.first + k);
-        if head.moment != moment {
-            continue;
-        }
-        var sides = distance_map_sides(head, at);
-        if sides.inside {
-            var least = height - SPRINGS_TRODDEN;
-            for (var face = 0u; face < 6u; face++) {
-                least = math_lower(-sides.seen[face].depth, least);
-            }
-            most = math_upper(least, most);
+        if head.moment == moment {
+            most = math_upper(springs_depth_in(head, at, least), most);
         }
     }
     return most;
 }
 
-fn springs_is_under(maps: SpringsMaps, root: SheetRoot, moment: u32, at: vec3<f32>) -> bool {
-    if springs_height(root, at) > SPRINGS_TRODDEN + 2.0 * SPRINGS_TOLERANCE {
-        return false;
+fn springs_depth(maps: SpringsMaps, root: SheetRoot, moment: u32, at: vec3<f32>) -> f32 {
+    if springs_height(root, at) <= SPRINGS_TRODDEN {
+        return 0.0;
     }
-    for (var k = 0u; k < maps.count; k++) {
-        let head = springs_map(maps.first + k);
-        if head.moment == moment && distance_map_sides(head, at).inside {
-            return true;
-        }
-    }
-    return false;
+    return math_upper(springs_lies(maps, root, moment, at), 0.0);
 }
 
-fn springs_deepest(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, moment: u32, sheet: ptr<function, Sheet>) -> f32 {
+fn springs_deepest(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, moment: u32, sheet: u32) -> f32 {
     var most = 0.0;
-    for (var vertex = springs_columns(co); vertex < springs_columns(co) * springs_rows(co); vertex++) {
-        most = math_upper(springs_depth(maps, root, moment, (*sheet).at[vertex]), most);
+    for (var vertex = springs_columns(co); vertex < springs_vertices(co); vertex++) {
+        most = math_upper(springs_depth(maps, root, moment, springs_at(sheet, vertex)), most);
     }
     return most;
 }
 
 fn springs_exit(head: DistanceMapHead, root: SheetRoot, at: vec3<f32>, kept: u32) -> SpringsExit {
     let height = springs_height(root, at);
-    var exit = SpringsExit(false, at, 0u);
-    if height <= SPRINGS_TRODDEN {
-        return exit;
-    }
-    var sides = distance_map_sides(head, at);
-    if !sides.inside {
-        return exit;
+    let own = distance_map_to_body(head, at);
+    let none = SpringsExit(false, at, 0u);
+    if height <= SPRINGS_TRODDEN || !all(abs(own) < vec3<f32>(head.centre.w)) {
+        return none;
     }
     let down = at - vec3<f32>(0.0, height - SPRINGS_CLEAR, 0.0);
-    exit.at = down;
-    exit.way = SPRINGS_DOWN;
+    var exit = SpringsExit(true, down, SPRINGS_DOWN);
     var least = height - SPRINGS_TRODDEN;
     var deep = least;
     for (var face = 0u; face < 6u; face++) {
-        let side = sides.seen[face];
+        let side = distance_map_side(head, face, own);
+        if side.distance >= 0.0 {
+            return none;
+        }
         let there = at + distance_map_to_world(head, side.normal) * (SPRINGS_SLACK - side.depth);
         deep = math_lower(-side.depth, deep);
-        if springs_height(root, there) < SPRINGS_CLEAR {
-            continue;
-        }
-        if face + 1u == kept {
-            exit.at = there;
-            exit.way = kept;
-            least = -1.0;
-        } else if -side.depth < least {
+        let allowed = springs_height(root, there) >= SPRINGS_CLEAR;
+        if allowed && (face + 1u == kept || -side.depth < least) {
             exit.at = there;
             exit.way = face + 1u;
-            least = -side.depth;
+            least = select(-side.depth, -1.0, face + 1u == kept);
         }
     }
     exit.found = deep > SPRINGS_TOLERANCE;
@@ -134,25 +124,18 @@ fn springs_way_out(maps: SpringsMaps, root: SheetRoot, moment: u32, at: vec3<f32
     return vec2<f32>(0.0);
 }
 
-fn springs_push(
-    co: SpringsCoefficients,
-    maps: SpringsMaps,
-    root: SheetRoot,
-    moment: u32,
-    sheet: ptr<function, Sheet>,
-    faces: ptr<function, SheetFaces>,
-) -> bool {
+fn springs_push(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, moment: u32, sheet: u32) -> bool {
     var moved = false;
     for (var k = 0u; k < maps.count; k++) {
         let head = springs_map(maps.first + k);
         if head.moment != moment {
             continue;
         }
-        for (var vertex = springs_columns(co); vertex < springs_columns(co) * springs_rows(co); vertex++) {
-            let exit = springs_exit(head, root, (*sheet).at[vertex], (*faces).way[vertex]);
+        for (var vertex = springs_columns(co); vertex < springs_vertices(co); vertex++) {
+            let exit = springs_exit(head, root, springs_at(sheet, vertex), springs_left(vertex));
             if exit.found {
-                (*sheet).at[vertex] = exit.at;
-                (*faces).way[vertex] = exit.way;
+                springs_put(sheet, vertex, exit.at);
+                springs_put_left(vertex, exit.way);
                 moved = true;
             }
         }

@@ -132,7 +132,7 @@ impl Sheet {
         sheet
     }
 
-    /// Tilt from upright of the line between the middle vertices of two rows, rad along x and z: what [`direction`] is of.
+    /// Tilt from upright of the line between the middle vertices of two rows, rad along x and z: the tilt of its direction.
     pub fn tilt(&self, co: &SpringsCoefficients, rows: [usize; 2]) -> [f32; 2] {
         let (columns, most) = co.sides();
         let [low, high] = rows.map(|row| self.at[row.min(most - 1) * columns + columns / 2]);

@@ -64,8 +64,3 @@ fn springs_direction(tilt: vec2<f32>) -> vec3<f32> {
     }
     return vec3<f32>(tilt.x * share, sc.y, tilt.y * share);
 }
-
-// Direction of the segment above a vertex.
-fn springs_way(sheet: ptr<function, Sheet>, columns: u32, vertex: u32) -> vec3<f32> {
-    return springs_unit((*sheet).at[vertex + columns] - (*sheet).at[vertex]);
-}

@@ -4,7 +4,12 @@ const SPRINGS_ROUNDS: u32 = 8u;
 const SPRINGS_DEEP: f32 = 2e-3;
 const SPRINGS_PATIENCE: u32 = 4u;
 
-fn springs_is_touched(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, sheet: ptr<function, Sheet>) -> bool {
+// What a step comes to: bodies touch the sheet, it would recover into one, or nothing hinders it.
+const SPRINGS_TOUCHED: u32 = 0u;
+const SPRINGS_LEANING: u32 = 1u;
+const SPRINGS_FREE: u32 = 2u;
+
+fn springs_is_touched(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, sheet: u32) -> bool {
     if !springs_reach(maps, root) {
         return false;
     }
@@ -16,92 +21,82 @@ fn springs_is_touched(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoo
     return false;
 }
 
-fn springs_resolve(
-    co: SpringsCoefficients,
-    maps: SpringsMaps,
-    root: SheetRoot,
-    moment: u32,
-    heading: vec2<f32>,
-    sheet: ptr<function, Sheet>,
-    faces: ptr<function, SheetFaces>,
-) {
-    if springs_deepest(co, maps, root, moment, sheet) <= SPRINGS_TOLERANCE {
+// The sheet in this step, from the stored one and the one in the wind, `steps` after its last contact; returns what the step comes to.
+fn springs_begin(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, steps: u32) -> u32 {
+    for (var k = 0u; k < 2u; k++) {
+        let sheet = select(SPRINGS_NOW, SPRINGS_BEFORE, k == 1u);
+        springs_recover(co, root, sheet, steps + select(0u, k, steps != 0xffffffffu));
+        if springs_is_touched(co, maps, root, sheet) {
+            return k;
+        }
+    }
+    return SPRINGS_FREE;
+}
+
+// Begins a moment anew, by no way that was taken before; remembers what has come of it, ways in the place of what vertices lie in.
+fn springs_try_again(co: SpringsCoefficients) {
+    for (var vertex = 0u; vertex < springs_vertices(co); vertex++) {
+        springs_put(SPRINGS_TRIED, vertex, springs_at(SPRINGS_NOW, vertex));
+        springs_put_lying(vertex, springs_left(vertex));
+        springs_put(SPRINGS_NOW, vertex, springs_at(SPRINGS_BEFORE, vertex));
+        springs_put_left(vertex, 0u);
+    }
+}
+
+// Takes what had come of a moment at first.
+fn springs_go_back(co: SpringsCoefficients) {
+    for (var vertex = 0u; vertex < springs_vertices(co); vertex++) {
+        springs_put(SPRINGS_NOW, vertex, springs_at(SPRINGS_TRIED, vertex));
+        springs_put_left(vertex, springs_lying(vertex));
+    }
+}
+
+// Out of the bodies of one moment.
+fn springs_resolve(co: SpringsCoefficients, maps: SpringsMaps, root: SheetRoot, moment: u32, heading: vec2<f32>) {
+    var deepest = 0.0;
+    for (var vertex = 0u; vertex < springs_vertices(co); vertex++) {
+        let at = springs_at(SPRINGS_NOW, vertex);
+        let lies = springs_lies(maps, root, moment, at);
+        let under = lies >= 0.0 && springs_height(root, at) <= SPRINGS_TRODDEN + 2.0 * SPRINGS_TOLERANCE;
+        springs_put_lying(vertex, select(0u, 1u, under) | select(0u, 2u, lies > SPRINGS_TOLERANCE));
+        springs_put(SPRINGS_BEFORE, vertex, at);
+        deepest = math_upper(lies, deepest);
+    }
+    if deepest <= SPRINGS_TOLERANCE {
         return;
     }
-    var before = *sheet;
-    var fixed_ = SheetFixed();
-    for (var vertex = 0u; vertex < springs_columns(co) * springs_rows(co); vertex++) {
-        if springs_is_under(maps, root, moment, before.at[vertex]) {
-            fixed_.bits[vertex / 32u] |= 1u << (vertex % 32u);
-        }
-        if springs_depth(maps, root, moment, before.at[vertex]) <= SPRINGS_TOLERANCE {
-            (*faces).way[vertex] = 0u;
+    for (var vertex = 0u; vertex < springs_vertices(co); vertex++) {
+        if springs_lying(vertex) < 2u {
+            springs_put_left(vertex, 0u);
         }
     }
-    var least = 3.4e38;
-    var kept = *faces;
+    var least = 0.0;
     for (var attempt = 0u; attempt < 2u; attempt++) {
-        var moved = before;
-        var left = kept;
-        var rounds = SPRINGS_ROUNDS;
-        if attempt > 0u {
-            left = SheetFaces();
-            rounds = SPRINGS_PATIENCE * SPRINGS_ROUNDS;
+        let first = attempt == 0u;
+        for (var k = 0u; k < co.iterations && first; k++) {
+            springs_sweep(co, root, SPRINGS_NOW);
         }
-        for (var k = 0u; k < co.iterations && attempt == 0u; k++) {
-            springs_sweep(co, root, &moved, &fixed_);
-        }
+        let rounds = select(SPRINGS_PATIENCE * SPRINGS_ROUNDS, SPRINGS_ROUNDS, first);
         for (var k = 0u; k < rounds; k++) {
-            let pushed = springs_push(co, maps, root, moment, &moved, &left);
-            springs_pass(co, root, &moved);
+            let pushed = springs_push(co, maps, root, moment, SPRINGS_NOW);
+            springs_keep_lengths(co, root, SPRINGS_NOW);
             if !pushed {
                 break;
             }
         }
-        if attempt == 0u {
-            springs_lay(co, maps, root, moment, &moved, &left, heading);
+        if first {
+            springs_lay(co, maps, root, moment, SPRINGS_NOW, heading);
         }
-        springs_spread(co, root, maps.last + 1u, &before, &moved);
-        let deepest = springs_deepest(co, maps, root, moment, &moved);
-        if deepest < least {
-            least = deepest;
-            *sheet = moved;
-            *faces = left;
+        springs_spread(co, root, maps.last + 1u, SPRINGS_NOW);
+        let left_over = springs_deepest(co, maps, root, moment, SPRINGS_NOW);
+        if first && left_over <= SPRINGS_DEEP {
+            return;
         }
-        if least <= SPRINGS_DEEP {
-            break;
+        if first {
+            springs_try_again(co);
+        } else if left_over >= least {
+            springs_go_back(co);
         }
+        least = left_over;
     }
-}
-
-// Returns the steps since the last contact; `stored` and `faces` are what the step leaves.
-fn springs_step(
-    co: SpringsCoefficients,
-    maps: SpringsMaps,
-    root: SheetRoot,
-    wind: ptr<function, Sheet>,
-    heading: vec2<f32>,
-    stored: ptr<function, Sheet>,
-    steps: u32,
-    faces: ptr<function, SheetFaces>,
-) -> u32 {
-    if root.length <= 0.0 {
-        return steps;
-    }
-    var shown = springs_recovered(co, root, stored, wind, steps);
-    if springs_is_touched(co, maps, root, &shown) {
-        for (var moment = 0u; moment <= maps.last; moment++) {
-            springs_resolve(co, maps, root, moment, heading, &shown, faces);
-        }
-        *stored = shown;
-        return 0u;
-    }
-    let later = select(steps + 1u, steps, steps == 0xffffffffu);
-    var next = springs_recovered(co, root, stored, wind, later);
-    if springs_is_touched(co, maps, root, &next) {
-        *stored = shown;
-        return 0u;
-    }
-    *faces = SheetFaces();
-    return later;
 }

@@ -14,19 +14,22 @@ fn springs_sway(wave: SpringsWave, at: vec2<f32>) -> vec2<f32> {
     return wave.bend * math_sin_cos(f32(wave.phase) * 1.4629181e-9 + part * 6.2831855).x;
 }
 
-fn springs_pose(co: SpringsCoefficients, root: SheetRoot, first: vec2<f32>, last: vec2<f32>) -> Sheet {
+// Tilt of the segment below a vertex.
+fn springs_tilt(co: SpringsCoefficients, root: SheetRoot, bends: vec4<f32>, column: u32, row: u32) -> vec2<f32> {
+    let across = f32(column) / f32(springs_columns(co) - 1u);
+    return root.lean + (bends.xy + across * (bends.zw - bends.xy)) * (f32(row) / f32(springs_rows(co) - 1u));
+}
+
+// `bends` are those of the first column's tip and the last one's.
+fn springs_pose(co: SpringsCoefficients, root: SheetRoot, bends: vec4<f32>, sheet: ptr<function, Sheet>) {
     let columns = springs_columns(co);
-    let rows = springs_rows(co);
-    var sheet = Sheet();
     for (var column = 0u; column < columns; column++) {
-        sheet.at[column] = springs_foot(co, root, column);
-        let across = f32(column) / f32(columns - 1u);
-        for (var row = 1u; row < rows; row++) {
-            let tilt = root.lean + (first + across * (last - first)) * (f32(row) / f32(rows - 1u));
-            let vertex = row * columns + column;
-            sheet.at[vertex] = sheet.at[vertex - columns] + springs_direction(tilt) * springs_segment(co, root);
+        var up = springs_from(springs_foot(co, root, column));
+        (*sheet).at[column] = up.at;
+        for (var row = 1u; row < springs_rows(co); row++) {
+            let way = springs_direction(springs_tilt(co, root, bends, column, row));
+            up = springs_raised(root, up, way, springs_segment(co, root));
+            (*sheet).at[row * columns + column] = up.at;
         }
     }
-    springs_pass(co, root, &sheet);
-    return sheet;
 }

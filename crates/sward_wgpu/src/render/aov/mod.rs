@@ -26,12 +26,13 @@ pub const FORMATS: [wgpu::TextureFormat; 3] = [wgpu::TextureFormat::R32Float, wg
 const WGSL: &str = include_str!("aov.wgsl");
 
 /// Every assembled text with its name, for validation.
-pub fn assembled() -> [(&'static str, String); 5] {
+pub fn assembled() -> [(&'static str, String); 6] {
     [
         ("blades, outputs", assemble(&[&[super::blades::constants().as_str()], &blades::parts()[..]].concat())),
         ("bodies, outputs", assemble(&bodies::parts())),
         ("ground, outputs", assemble(&ground::parts())),
         ("plants, outputs", assemble(&plants::parts())),
+        ("sheets, outputs", assemble(&plants::sheet_parts())),
         ("sky, outputs", assemble(&sky::parts())),
     ]
 }

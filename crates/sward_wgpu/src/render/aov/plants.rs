@@ -1,24 +1,30 @@
 //! The outputs of plants.
 
-use super::super::plant_pass::{PARTS, Ready};
+use super::super::plant_pass::{PARTS, Ready, SHEET_PARTS};
 use super::super::{PipelineParts, Slot, aov_pipeline, layout, shader};
 use super::{Drawn, WGSL};
 use crate::gpu::Gpu;
 
-/// Files of the shader, after the common ones.
+/// Files of the shader for cards, after the common ones.
 pub(super) fn parts() -> Vec<&'static str> {
-    [&PARTS[..], &[WGSL, include_str!("plants_aov.wgsl")]].concat()
+    [&PARTS[..], &[WGSL, include_str!("plants_aov.wgsl"), include_str!("cards_then.wgsl")]].concat()
+}
+
+/// The same for sheets.
+pub(super) fn sheet_parts() -> Vec<&'static str> {
+    [&SHEET_PARTS[..], &[WGSL, include_str!("plants_aov.wgsl"), include_str!("sheets_then.wgsl")]].concat()
 }
 
 pub(super) struct Plants {
-    pipeline: wgpu::RenderPipeline,
+    cards: wgpu::RenderPipeline,
+    /// Made when there are sheets.
+    sheets: Option<wgpu::RenderPipeline>,
     layout: wgpu::BindGroupLayout,
 }
 
 impl Plants {
     pub(super) fn new(gpu: &Gpu) -> Self {
         let device = &gpu.device;
-        let module = shader(device, "plants, outputs", &parts());
         let slots = [
             (0, Slot::Uniform),
             (4, Slot::Storage),
@@ -31,30 +37,20 @@ impl Plants {
             (11, Slot::Storage),
         ];
         let layout = layout(device, "plants, outputs", &slots);
-        let pipeline = aov_pipeline(
-            device,
-            &PipelineParts {
-                label: "plants, outputs",
-                module: &module,
-                layout: &layout,
-                vertex: "plants_aov_vertex",
-                buffers: &[],
-                fragment: Some("plants_aov_fragment"),
-                coverage: false,
-                depth_write: true,
-            },
-        );
-        Self { pipeline, layout }
+        Self { cards: pipeline(gpu, &layout, &parts()), sheets: None, layout }
     }
 
     /// Makes what the batches need; `before` holds plants and joints of each as they were. `None` for a batch that has none.
     pub(super) fn ready(
-        &self,
+        &mut self,
         gpu: &Gpu,
         uniform: &wgpu::Buffer,
         drawn: &Drawn<'_>,
         before: &[[&wgpu::Buffer; 2]],
     ) -> Vec<Option<wgpu::BindGroup>> {
+        if self.sheets.is_none() && drawn.ready.0.iter().any(|ready| ready.batch.is_sheet()) {
+            self.sheets = Some(pipeline(gpu, &self.layout, &sheet_parts()));
+        }
         drawn.ready.0.iter().map(|ready| self.bind(gpu, uniform, drawn, ready, before.get(ready.number)?)).collect()
     }
 
@@ -84,12 +80,29 @@ impl Plants {
     }
 
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, drawn: &Drawn<'_>, ready: &[Option<wgpu::BindGroup>]) {
-        pass.set_pipeline(&self.pipeline);
         for (batch, bindings) in drawn.ready.0.iter().map(|ready| &ready.batch).zip(ready) {
             if let Some(bindings) = bindings {
+                pass.set_pipeline(self.sheets.as_ref().filter(|_| batch.is_sheet()).unwrap_or(&self.cards));
                 pass.set_bind_group(0, bindings, &[]);
                 drawn.plants.draw_batch(pass, batch);
             }
         }
     }
+}
+
+fn pipeline(gpu: &Gpu, layout: &wgpu::BindGroupLayout, parts: &[&str]) -> wgpu::RenderPipeline {
+    let module = shader(&gpu.device, "plants, outputs", parts);
+    aov_pipeline(
+        &gpu.device,
+        &PipelineParts {
+            label: "plants, outputs",
+            module: &module,
+            layout,
+            vertex: "plants_aov_vertex",
+            buffers: &[],
+            fragment: Some("plants_aov_fragment"),
+            coverage: false,
+            depth_write: true,
+        },
+    )
 }

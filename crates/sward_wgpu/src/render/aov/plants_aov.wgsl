@@ -14,11 +14,6 @@ struct Trail {
     @location(6) @interpolate(flat) number: u32,
 }
 
-fn plants_bend_then(plant: Plant, at: Corner) -> Bent {
-    let keep = plants_keep(plants_gone(plant, aov.eye.xyz));
-    return plants_bend_between(plant, at, joints_then[at.base].xyz, joints_then[at.here].xyz, joints_then[at.low].xyz, joints_then[at.high].xyz, keep);
-}
-
 @vertex
 fn plants_aov_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) instance: u32) -> Trail {
     var trail: Trail;
@@ -35,7 +30,7 @@ fn plants_aov_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index
     let clip = frame.view_projection * vec4<f32>(bent.place, 1.0);
     trail.position = clip;
     trail.now = clip;
-    trail.then = aov.then * vec4<f32>(plants_bend_then(before, plants_corner(index, corner)).place, 1.0);
+    trail.then = aov.then * vec4<f32>(plants_bend_then(before, index, corner).place, 1.0);
     trail.place = bent.place;
     trail.facing = bent.facing;
     trail.card = vec2<f32>(plants_across(plant, bent.side), 1.0 - bent.along);
