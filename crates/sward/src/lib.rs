@@ -19,6 +19,7 @@ pub mod response;
 pub mod saved;
 pub mod scene;
 pub mod shading;
+pub mod specimen;
 pub mod state;
 pub mod terrain;
 pub mod view;

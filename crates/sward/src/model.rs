@@ -15,14 +15,16 @@ use crate::growth::{Growth, Limit};
 use crate::interaction::{FigureBody, Piece, pieces_of};
 use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
+use crate::response::harmonic::{HarmonicModel, LayeredStand};
 use crate::response::chain::ChainModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::response::oscillator::OscillatorModel;
 use crate::response::springs::SpringsModel;
 use crate::scene::{
-    Area, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
+    Area, MeshShape, Path as ScenePath, PlantMesh, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
 use crate::shading::environment::Environment;
+use crate::specimen::Specimen;
 use crate::state::{BodyState, Root};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::{Flow, Images, Source, Tile};
@@ -113,8 +115,10 @@ pub struct Model {
     pub field: Option<[[i32; 2]; 2]>,
     /// Ground.
     pub terrain: Terrain,
-    /// Stands in the scene's order.
+    /// Stands of grass in the scene's order.
     pub stands: Vec<StandModel>,
+    /// Stands of meshes in the scene's order.
+    pub layered: Vec<LayeredStand>,
     /// What limits growth: exclusions, then masks.
     pub limits: Vec<Arc<Limit>>,
     /// Wind sources.
@@ -227,9 +231,9 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named], combs: &[Na
     let dt = 1.0 / f64::from(scene.steps_per_second);
     let patch_side = f64::from(scene.field.patch_side);
     let mut stands: Vec<StandModel> = Vec::new();
-    for (index, stand) in scene.stands.iter().enumerate() {
+    for (index, stand) in scene.stands.iter().enumerate().filter(|(_, stand)| !stand.is_layered()) {
         let species = stand.resolve()?;
-        let spacing = patch_side / f64::from(stand.cells);
+        let spacing = patch_side / f64::from(species.cells);
         let chain = chain_model(scene, index, &species, patch_side)?;
         let oscillator = OscillatorModel::of(&species, dt, patch_side, scene.wind.iter().any(varies)).transpose().map_err(|error| {
             let trail = Trail::default().key("stands").index(index).key("response");
@@ -237,29 +241,19 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named], combs: &[Na
         })?;
         let plant_height = 0.5 * (species.height[0] + species.height[1]);
         let (coefficients, substeps) = Coefficients::new(&species.continuum, dt, spacing, plant_height);
-        let placement = PlacementParameters {
-            seed: scene.seed.wrapping_mul(0x9E37_79B9).wrapping_add(index as u32),
-            cells: stand.cells,
-            spacing: spacing as f32,
-            cover: stand.cover,
-            height: species.height,
-            clumping: stand.clumping,
-            clumps: ((patch_side / f64::from(stand.clump_size)).round() as u32).clamp(1, stand.cells),
-            lean: stand.lean,
-            messiness: stand.messiness,
-            unused: 0.0,
-        };
+        let placement = placement_of(scene, index, &species);
         let growth = Growth { limits: named(limits, &species.name), slopes: stand.slope, combs: named(combs, &species.name) };
         stands.push(StandModel {
             name: stand.label(),
+            index,
             growth,
             lag: LagCoefficients::new(&species.continuum, species.segments(), dt),
             tolerance: tolerance(&species, chain.as_ref(), oscillator.as_ref(), sources),
             chain,
             oscillator,
             springs: SpringsModel::of(&species, dt, scene.budget.sheets),
+            cells: species.cells,
             species,
-            cells: stand.cells,
             patch_side,
             spacing,
             coefficients,
@@ -268,6 +262,59 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named], combs: &[Na
         });
     }
     Ok(stands)
+}
+
+/// Where the plants of a stand stand.
+fn placement_of(scene: &Scene, index: usize, species: &SpeciesModel) -> PlacementParameters {
+    let (stand, side) = (&scene.stands[index], f64::from(scene.field.patch_side));
+    PlacementParameters {
+        seed: scene.seed.wrapping_mul(0x9E37_79B9).wrapping_add(index as u32),
+        cells: species.cells,
+        spacing: (side / f64::from(species.cells)) as f32,
+        cover: stand.cover,
+        height: species.height,
+        clumping: stand.clumping,
+        clumps: ((side / f64::from(stand.clump_size)).round() as u32).clamp(1, species.cells),
+        lean: stand.lean,
+        messiness: stand.messiness,
+        unused: 0.0,
+    }
+}
+
+/// Stands of meshes.
+fn layered_stands(scene: &Scene, sources: &[Source], limits: &[Named], assets: &dyn Assets) -> Result<Vec<LayeredStand>, SceneError> {
+    let dt = 1.0 / f64::from(scene.steps_per_second);
+    let mut stands = Vec::new();
+    for (index, stand) in scene.stands.iter().enumerate() {
+        let species = stand.resolve()?;
+        let Some(layered) = species.layered.clone() else { continue };
+        let specimen = specimen_of(&layered.layers.mesh, index, assets)?;
+        let places = stand.places.iter().filter_map(|place| place.height);
+        let tallest = places.fold(species.height[1], crate::math::upper);
+        let scale = tallest / specimen.high[1].max(1e-3);
+        let wide = (0..3).step_by(2).map(|axis| specimen.high[axis] - specimen.low[axis]).fold(0.0, crate::math::upper);
+        stands.push(LayeredStand {
+            name: stand.label(),
+            index,
+            harmonic: HarmonicModel::new(&layered.harmonic, [wide * scale, tallest], sources, dt),
+            layered,
+            specimen,
+            places: stand.places.clone(),
+            placement: placement_of(scene, index, &species),
+            growth: Growth { limits: named(limits, &species.name), slopes: stand.slope, combs: Vec::new() },
+            patch_side: f64::from(scene.field.patch_side),
+        });
+    }
+    Ok(stands)
+}
+
+/// The mesh of a stand, read or grown.
+fn specimen_of(mesh: &PlantMesh, _index: usize, _assets: &dyn Assets) -> Result<Arc<Specimen>, SceneError> {
+    let triangles = match mesh {
+        PlantMesh::Grown(grown) => grown.triangles,
+        PlantMesh::File(_) => 20000,
+    };
+    Ok(Arc::new(Specimen::stub(triangles)))
 }
 
 /// Whether a source of wind is not the same everywhere and for ever.
@@ -283,7 +330,7 @@ fn chain_model(scene: &Scene, index: usize, species: &SpeciesModel, patch_side: 
     let trail = |key| Trail::default().key("stands").index(index).key(key);
     let Some(chain) = ChainModel::of(species, patch_side) else { return Ok(None) };
     let chain = chain.map_err(|error| SceneError::in_file("", error.to_string()).named_by(trail("response")))?;
-    let (cells, budget) = (scene.stands[index].cells, scene.budget.stateful_blades);
+    let (cells, budget) = (species.cells, scene.budget.stateful_blades);
     let blades = chain.blades_of_patch(cells);
     // Its state, or where it stands: the wider of two buffers.
     let each = (4 * chain.planes()).max(size_of::<Root>()) as u64;
@@ -400,6 +447,7 @@ pub fn rebased(mut scene: Scene) -> Scene {
             Area::Road(road) => road.points.iter_mut().for_each(move_to),
         }
     }
+    scene.stands.iter_mut().flat_map(|stand| &mut stand.places).for_each(|place| move_to(&mut place.at));
     scene.masks.iter_mut().for_each(|mask| move_to(&mut mask.at));
     scene.edits.iter_mut().for_each(|edit| move_to(&mut edit.at));
     scene
@@ -425,6 +473,7 @@ impl Model {
         let scattered = |error: TerrainError| SceneError::in_file("", error.to_string()).named_by(Trail::default().key("edits"));
         terrain.reserve_edits(&scene.edits).map_err(scattered)?;
         let limits = limits::of(scene, assets)?;
+        let layered = layered_stands(scene, &sources, &limits, assets)?;
         let stands = stand_models(scene, &sources, &limits, &limits::combs(scene, assets)?)?;
         let (blowers, images) = blowers(scene, assets)?;
         let bodies = body_models(scene, assets)?;
@@ -437,6 +486,7 @@ impl Model {
             terrain,
             gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0)),
             stands,
+            layered,
             limits: limits.into_iter().map(|(limit, _)| limit).collect(),
             sources,
             blowers,

@@ -1,5 +1,7 @@
 //! What one step is going to do, decided before any cell moves: the same list for every backend.
 
+mod layered;
+
 use std::ops::Range;
 
 use crate::interaction::distance_map::DistanceMapHead;
@@ -7,6 +9,7 @@ use crate::interaction::solid::Solids;
 use crate::interaction::{Contact, ContactEdge, Footprint};
 use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
 use crate::wind::WindField;
+pub use layered::{Brush, LayeredPlan, TouchPlan};
 
 /// One step, planned.
 #[derive(Clone, Debug)]
@@ -15,6 +18,8 @@ pub struct Plan {
     pub step: u64,
     /// One entry per stand.
     pub stands: Vec<StandPlan>,
+    /// One entry per stand of meshes.
+    pub layered: Vec<LayeredPlan>,
     /// Bodies whose maps must be drawn anew before, with the seconds since each appeared.
     pub maps: Vec<(u32, f64)>,
 }

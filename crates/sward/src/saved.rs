@@ -3,16 +3,18 @@
 //! `SWARDSTATE`, format version (u32), checksum of the rest (u64), then the state in postcard's encoding; little-endian throughout.
 //! Ground and free places are worked out again. On the CPU continuing gives the same bits; a GPU continues from the same bits.
 
+mod layered;
+
 use serde::{Deserialize, Serialize};
 
 use crate::response::springs::pool;
 use crate::response::{StandModel, chain, continuum, oscillator};
-use crate::state::{Awake, BodyState, Counters, NONE, PatchKey, Sheets, State, Summary};
+use crate::state::{Awake, BodyState, Counters, LayeredState, NONE, PatchKey, Sheets, State, Summary};
 use crate::terrain::Edits;
 use crate::world::World;
 
 /// What [`World::save`] writes and [`World::restore`] reads.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 const MAGIC: &[u8; 10] = b"SWARDSTATE";
 /// Far beyond any bend \[rad\] or velocity \[rad/s\] that the limits leave, and small enough that a step stays finite.
 const FARTHEST: f32 = 1e4;
@@ -54,6 +56,7 @@ struct Saved {
     edited_steps: u64,
     edited: Vec<PatchKey>,
     stands: Vec<SavedStand>,
+    layered: Vec<LayeredState>,
 }
 
 /// Planes are those of awake patches, in key order.
@@ -117,6 +120,7 @@ impl World {
             edited_steps: state.edited_steps,
             edited: state.edited.union(&state.resampled).copied().collect(),
             stands: stands.collect(),
+            layered: state.layered.clone(),
         };
         // Encoding plain data into memory cannot fail.
         let payload = postcard::to_stdvec(&saved).unwrap_or_default();
@@ -162,6 +166,7 @@ impl World {
             edited: saved.edited.into_iter().collect(),
             resampled: Default::default(),
             stands: Vec::new(),
+            layered: Vec::new(),
         };
         if !state_is_sound(&state) {
             return Err(SavedError::Damaged("a number in it is out of bounds"));
@@ -172,8 +177,14 @@ impl World {
         }
         let stands = saved.stands.into_iter().enumerate();
         let restored: Result<Vec<_>, _> = stands.map(|(index, stand)| self.restore_stand(index, stand, saved.step)).collect();
-        match restored {
-            Ok(stands) => self.state = State { stands, ..state },
+        let layered = saved.layered.into_iter().zip(&self.model.layered);
+        let layered: Result<Vec<_>, _> =
+            layered.map(|(saved, stand)| layered::restored(stand, saved, self.scene.budget.touched_plants, state.step)).collect();
+        match restored.and_then(|stands| layered.map(|layered| (stands, layered))) {
+            Ok((stands, layered)) => {
+                self.state = State { stands, layered, ..state };
+                self.find_plants();
+            }
             Err(error) => {
                 self.model.terrain.put_edits(before);
                 return Err(error);
@@ -186,7 +197,11 @@ impl World {
         let mut counts = vec![
             ("interactors", saved.bodies.len() as u64, self.state.bodies.len() as u64),
             ("stands", saved.stands.len() as u64, self.model.stands.len() as u64),
+            ("stands of meshes", saved.layered.len() as u64, self.model.layered.len() as u64),
         ];
+        for (stand, model) in saved.layered.iter().zip(&self.model.layered) {
+            counts.push(("cells of a plane", stand.waves.now.len() as u64, u64::from(model.harmonic.cells * model.harmonic.cells)));
+        }
         for (stand, model) in saved.stands.iter().zip(&self.model.stands) {
             counts.push(("cells a patch side", stand.cells.into(), model.cells.into()));
             counts.push(("segments", stand.segments.into(), model.lag.segments.into()));

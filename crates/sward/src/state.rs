@@ -1,5 +1,6 @@
 //! All that a step changes. Types only; every stage may read what the previous step left.
 
+mod layers;
 mod sheets;
 
 use std::borrow::Cow;
@@ -9,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::placement::Growing;
 
+pub use layers::{Cut, Cuts, LayeredPlant, LayeredState, PlantKey, Waves};
 pub use sheets::{Billboard, SheetPool, Sheets};
 
 /// No slot.
@@ -34,6 +36,8 @@ pub struct State {
     pub bodies: Vec<BodyState>,
     /// One entry per stand, in the scene's order.
     pub stands: Vec<StandState>,
+    /// One entry per stand of meshes, in the scene's order.
+    pub layered: Vec<LayeredState>,
     /// Points the last step cared about, m (x, z): the camera's, unless some are pinned.
     pub focuses: Vec<[f64; 2]>,
     /// Points set from code to be cared about instead of the camera's, m (x, z): for servers, replays and several players.
@@ -70,6 +74,11 @@ impl State {
                     blades.iter().for_each(|value| hash.add(value.to_bits()));
                 }
             }
+        }
+        for stand in &self.layered {
+            let planes = [&stand.waves].into_iter().chain(stand.pool.taken().filter_map(|(_, place)| stand.touches.get(place as usize)));
+            let cells = planes.flat_map(|waves| waves.now.iter().chain(&waves.old));
+            cells.flatten().chain(&stand.drift).for_each(|value| hash.add(value.to_bits()));
         }
         hash.0
     }

@@ -2,6 +2,7 @@
 
 mod asked;
 mod bodies;
+mod layered;
 mod sheets;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,7 +14,7 @@ use crate::interaction::{Contact, Footprint, Pose, Station, station};
 use crate::lanes::Lanes;
 use crate::model::{Assets, Blower, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, SheetPlan, StandPlan, around, patches_under, weights};
-use crate::response::{Stage, chain, continuum, oscillator, springs};
+use crate::response::{Stage, chain, continuum, harmonic, oscillator, springs};
 use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
 use crate::state::{BodyState, NONE, PatchKey, SheetPool, Sheets, StandState, State, Summary, TILE};
 use crate::terrain::TerrainError;
@@ -67,6 +68,8 @@ impl World {
             let pose = world.pose(index, 0.0);
             (world.state.bodies[index].pose, world.state.bodies[index].before) = (pose, pose);
         }
+        world.state.layered = world.model.layered.iter().map(|stand| world.empty_layered(stand)).collect();
+        world.look_around();
         Ok(world)
     }
 
@@ -76,6 +79,24 @@ impl World {
         let pool = SheetPool::new(stand.springs.as_ref().map_or(0, |springs| springs.capacity));
         let sheets = Sheets { pool, since: Vec::new() };
         StandState { free: slots.collect(), lag_free: lag_slots.collect(), sheets, ..Default::default() }
+    }
+
+    /// Finds and cuts the plants of stands of meshes that the camera sees.
+    fn look_around(&mut self) {
+        let camera = self.camera();
+        self.look_from(&camera);
+        self.find_plants();
+        (0..self.model.layered.len()).for_each(|index| self.cut_plants(index, &camera));
+    }
+
+    /// Finds the plants of stands of meshes near the focuses.
+    pub(crate) fn find_plants(&mut self) {
+        (0..self.model.layered.len()).for_each(|index| self.follow_plants(index));
+    }
+
+    /// What the coming step cares about.
+    fn look_from(&mut self, camera: &View) {
+        self.state.focuses = if self.state.pinned.is_empty() { vec![camera.focus()] } else { self.state.pinned.clone() };
     }
 
     /// Time of the state, s.
@@ -140,7 +161,7 @@ impl World {
         self.edit_ground();
         let moving = self.move_bodies();
         let camera = self.camera();
-        self.state.focuses = if self.state.pinned.is_empty() { vec![camera.focus()] } else { self.state.pinned.clone() };
+        self.look_from(&camera);
         let mut stands = Vec::new();
         for index in 0..self.model.stands.len() {
             let footprints = self.footprints(&self.model.stands[index], &moving);
@@ -153,7 +174,9 @@ impl World {
             stands.push(plan);
         }
         let maps = self.moving_maps(&stands);
-        Plan { step: self.state.step, stands, maps }
+        let brushing = if self.model.layered.is_empty() { Vec::new() } else { self.brushing(&moving) };
+        let layered = (0..self.model.layered.len()).map(|index| self.plan_layered(index, &brushing)).collect();
+        Plan { step: self.state.step, stands, layered, maps }
     }
 
     /// The response of every stand on the CPU, between [`World::plan`] and [`World::finish`].
@@ -183,6 +206,10 @@ impl World {
             continuum::lags(stand, plan_of, cells, plan.step, self.lanes);
             ended(Stage::Lags);
         }
+        for ((stand, plan_of), state) in self.model.layered.iter().zip(&plan.layered).zip(&mut self.state.layered) {
+            harmonic::step_layered(&stand.harmonic, plan_of, state, plan.step);
+            ended(Stage::Layers);
+        }
         summaries
     }
 
@@ -209,6 +236,7 @@ impl World {
         }
         self.state.resampled.clear();
         self.state.step += 1;
+        self.end_layered();
     }
 
     /// Moves a body on a driven path: ground position \[m\], yaw \[rad\], clearance \[m\]. Takes effect in the next step. A body moved

@@ -18,6 +18,7 @@ use crate::render::aov::{AovPass, Drawn};
 use crate::render::blades::BladePass;
 use crate::render::bodies::BodyPass;
 use crate::render::ground::GroundPass;
+use crate::render::layers::LayerPass;
 use crate::render::plant_pass::PlantPass;
 use crate::render::plants::PlantDraws;
 use crate::render::shadow::ShadowMap;
@@ -61,6 +62,8 @@ pub struct Renderer {
     plants: PlantPass,
     /// Made when there are blades.
     blades: Option<BladePass>,
+    /// Made when there are stands of meshes.
+    layers: Option<LayerPass>,
     resolve: Resolve,
     targets: Option<Targets>,
     /// Made when outputs beside a picture are first asked for.
@@ -95,6 +98,7 @@ impl Renderer {
             bodies: BodyPass::new(gpu, &frame, &shadow, lit),
             plants: PlantPass::new(gpu, &looks, lit),
             blades: None,
+            layers: None,
             resolve: Resolve::new(gpu),
             targets: None,
             aov: None,
@@ -172,6 +176,12 @@ impl Renderer {
             _ => self.resolve.targets(gpu, &self.frame, size),
         };
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let ready_layers = plants.layers.map(|draws| {
+            let lit = self.surroundings.as_ref().map(|(bound, _)| bound);
+            let pass = self.layers.get_or_insert_with(|| LayerPass::new(gpu, draws.stands, lit));
+            pass.ready(gpu, &mut encoder, &self.frame, &self.shadow, &draws, self.stopwatch.as_mut())
+        });
+        let layers = self.layers.as_ref().zip(ready_layers.as_ref());
         {
             let writes = self.stopwatch.as_mut().and_then(|stopwatch| stopwatch.render("shadow", &[]));
             let mut pass = self.shadow.begin(&mut encoder, writes.map(|(_, writes)| writes));
@@ -179,6 +189,9 @@ impl Renderer {
             self.plants.draw_shadow(&mut pass, &ready);
             if let Some(blades) = &self.blades {
                 blades.draw_shadow(&mut pass, &ready_blades);
+            }
+            if let Some((pass_of, ready)) = layers {
+                pass_of.draw_shadow(&mut pass, ready);
             }
         }
         {
@@ -197,6 +210,9 @@ impl Renderer {
             self.plants.draw(&mut pass, &ready);
             if let Some(blades) = &self.blades {
                 blades.draw(&mut pass, &ready_blades);
+            }
+            if let Some((pass_of, ready)) = layers {
+                pass_of.draw(&mut pass, ready);
             }
             next(&mut pass, 2);
             self.ground.draw(&mut pass);

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use sward::picture::aov::Aov;
 use sward::picture::blade_plan::{self, BladePlan};
+use sward::picture::layers::{self, CutPlan, Origin};
 use sward::picture::plan::{BatchPlan, PatchDraw, Seen, plan, share};
+use sward::picture::frame::FrameInput;
 use sward::picture::prepare::PrepareUniform;
 use sward::picture::subject::{self, Frame};
 use sward::picture::volume::Lighting;
@@ -22,6 +24,7 @@ use crate::past::KeptPast;
 use crate::picture::{self, Before, Picture, Renderer, Setup};
 use crate::render::blades::{BladeBuffers, BladeDraw, SolvePass, Solving};
 use crate::render::growth_maps::GrowthMaps;
+use crate::render::layers::{LayerDraws, WaveBuffers, WaveUpload};
 use crate::render::plants::{PlantBatch, PlantCount, PlantDraws};
 use crate::render::prepare::{BatchBuffers, PreparePass};
 use crate::stopwatch::Stopwatch;
@@ -51,6 +54,8 @@ pub struct Studio {
     growth: Vec<GrowthMaps>,
     /// Cells uploaded from the CPU, per stand.
     uploaded: Vec<CellBuffers>,
+    /// Waves of each stand of meshes, uploaded from the CPU.
+    waves: Vec<WaveUpload>,
     /// The picture before; where outputs beside pictures are asked for.
     past: Option<KeptPast>,
 }
@@ -85,12 +90,13 @@ impl Studio {
         let mut renderer = Renderer::new(gpu, &Setup { relief, looks: looks.clone(), lighting, ..Setup::default() })?;
         let meshes = subject::meshes(world).iter().map(|mesh| mesh.as_ref().map(|mesh| renderer.add_mesh(gpu, mesh))).collect();
         let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand, Precision::Full)).collect();
+        let waves = world.model.layered.iter().map(|stand| WaveUpload::new(gpu, &stand.harmonic)).collect();
         let batches = world.model.stands.iter().map(|_| Default::default()).collect();
         let growth = world.model.stands.iter().map(|stand| GrowthMaps::new(gpu, stand)).collect();
         let solve = world.model.stands.iter().any(|stand| stand.species.blade.is_some()).then(|| SolvePass::new(gpu));
         let blades = world.model.stands.iter().map(|_| BladeBuffers::default()).collect();
         let prepare = PreparePass::new(gpu, world);
-        let studio = Self { renderer, prepare, looks, meshes, batches, solve, blades, growth, uploaded, past: None };
+        let studio = Self { renderer, prepare, looks, meshes, batches, solve, blades, growth, uploaded, waves, past: None };
         gpu.check()?;
         Ok(studio)
     }
@@ -113,8 +119,10 @@ impl Studio {
         let ready = self.ready(gpu, world, &cells, behind, size, false)?;
         let bodies = subject::bodies(world, &ready.frame, &self.meshes);
         let input = ready.frame.input(world, &ready.view, &bodies);
+        let (cuts, waves) = self.layers(gpu, world, &cells, behind, size, &input);
         let (batches, blades) = (drawn(&self.batches, world, &ready.plans), strips(&self.blades, world, &self.looks, &ready.blades));
-        self.renderer.draw(gpu, &input, &PlantDraws { batches: &batches, blades: &blades }, size)?;
+        let layers = layered(world, &ready.frame, &cuts, &waves);
+        self.renderer.draw(gpu, &input, &PlantDraws { batches: &batches, blades: &blades, layers }, size)?;
         self.renderer.read(gpu)
     }
 
@@ -153,8 +161,10 @@ impl Studio {
             meshes: &past.meshes(&self.meshes),
             plants: &past.plants(&ready.plans),
         };
+        let (cuts, waves) = self.layers(gpu, world, &cells, behind, size, &input);
         let (batches, blades) = (drawn(&self.batches, world, &ready.plans), strips(&self.blades, world, &self.looks, &ready.blades));
-        self.renderer.draw_aov(gpu, &input, &PlantDraws { batches: &batches, blades: &blades }, &before, size)?;
+        let layers = layered(world, &ready.frame, &cuts, &waves);
+        self.renderer.draw_aov(gpu, &input, &PlantDraws { batches: &batches, blades: &blades, layers }, &before, size)?;
         let images = (self.renderer.read(gpu)?, self.renderer.read_aov(gpu)?);
         past.keep(gpu, world, &cells, behind)?;
         self.past = Some(past);
@@ -195,6 +205,25 @@ impl Studio {
         let mut blades = blade_plan::plan(world, &seen, &self.looks, &projection, then);
         let plans = self.prepare_plants(gpu, world, cells, &seen, &mut blades);
         Ok(Ready { frame, origin, view, plans, blades })
+    }
+
+    /// What is shown of stands of meshes, and the waves that move them.
+    fn layers(
+        &mut self,
+        gpu: &Gpu,
+        world: &World,
+        _cells: &CellsAt<'_>,
+        behind: f64,
+        size: [u32; 2],
+        input: &FrameInput<'_>,
+    ) -> ([Vec<CutPlan>; 2], Vec<WaveBuffers>) {
+        if world.model.layered.is_empty() {
+            return Default::default();
+        }
+        let stands = world.model.layered.iter().zip(&world.state.layered).zip(&mut self.waves);
+        stands.for_each(|((stand, state), waves)| waves.follow(gpu, &stand.harmonic, state, world.state.step));
+        let waves = self.waves.iter().map(|waves| waves.buffers.clone()).collect();
+        (layers::plan(world, behind, size[1], input), waves)
     }
 
     /// Times the passes of the pictures while there is one.
@@ -275,6 +304,12 @@ impl Studio {
             }
         }
     }
+}
+
+/// What is drawn of the stands of meshes.
+fn layered<'a>(world: &'a World, frame: &Frame, plans: &'a [Vec<CutPlan>; 2], waves: &'a [WaveBuffers]) -> Option<LayerDraws<'a>> {
+    let stands = &world.model.layered[..];
+    (!stands.is_empty()).then_some(LayerDraws { stands, origin: Origin(frame.corner), plans, waves })
 }
 
 /// What is drawn of the stands of blades made ready.

@@ -6,6 +6,7 @@ pub mod billboard;
 pub mod blade;
 pub mod card;
 pub mod figure;
+pub mod layers;
 pub mod mesh;
 pub mod relief;
 pub mod rings;

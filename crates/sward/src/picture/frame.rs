@@ -150,10 +150,7 @@ impl FrameUniform {
     /// Lays a frame out for a picture of `size` pixels. `shadow_reach` is the half side of the shadowed square, metres.
     pub fn new(input: &FrameInput<'_>, relief: ReliefFrame, size: [u32; 2], shadow_reach: f32) -> Self {
         let light = &input.light;
-        let (sun, exposed) = light.surroundings.unwrap_or_else(|| {
-            let sun = Light::new(light.azimuth, light.elevation, light.strength, light.haze, light.clouds);
-            (sun, base_exposure(&sun))
-        });
+        let (sun, exposed) = light_of(light);
         let view = &input.view;
         let half = (0.5 * view.field_of_view).tan();
         let aspect = size[0].max(1) as f32 / size[1].max(1) as f32;
@@ -185,6 +182,19 @@ impl FrameUniform {
             edit_size: [edits.size[0], edits.size[1], input.terrain.heights().len() as u32, 0],
         }
     }
+}
+
+/// Unit vector towards the sun.
+pub fn sun_of(light: &LightInput) -> Vec3 {
+    light_of(light).0.sun
+}
+
+/// Sun and sky, and the factor on exposure.
+fn light_of(light: &LightInput) -> (Light, f32) {
+    light.surroundings.unwrap_or_else(|| {
+        let sun = Light::new(light.azimuth, light.elevation, light.strength, light.haze, light.clouds);
+        (sun, base_exposure(&sun))
+    })
 }
 
 /// What 0 EV means: a well-exposed evening. A photographer opens up as the light goes, but less than the light goes.

@@ -9,6 +9,7 @@ pub mod blade_plan;
 pub mod blades;
 pub mod frame;
 pub mod identity;
+pub mod layers;
 pub mod past;
 pub mod plan;
 pub mod plants;

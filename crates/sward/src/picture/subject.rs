@@ -30,7 +30,7 @@ const BARE_SEEN: f64 = 4000.0;
 
 /// How each stand of a world looks.
 pub fn looks(world: &World) -> Vec<Look> {
-    world.scene.stands.iter().zip(&world.model.stands).map(|(stand, model)| look_of(&stand.species, model)).collect()
+    world.model.stands.iter().map(|model| look_of(&world.scene.stands[model.index].species, model)).collect()
 }
 
 /// The mesh of each body; `None` for a shape without one.
@@ -173,7 +173,7 @@ impl Frame {
 fn look_of(species: &Species, stand: &StandModel) -> Look {
     let kind = match species {
         Species::Lawn => Kind::Lawn,
-        Species::Meadow => Kind::Meadow,
+        Species::Meadow | Species::Shrub | Species::Tree | Species::WaterPlant => Kind::Meadow,
         Species::Reed => Kind::Reed,
         Species::Tussock => Kind::Tussock,
     };

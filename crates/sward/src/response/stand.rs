@@ -15,6 +15,8 @@ use crate::terrain::Terrain;
 pub struct StandModel {
     /// Unique name.
     pub name: String,
+    /// Number in the scene.
+    pub index: usize,
     /// Species with the stand's own overrides.
     pub species: SpeciesModel,
     /// Cells per patch side.

@@ -21,6 +21,12 @@ parameters! {
         /// Billboards of one stand that bodies deform at once, or that still recover: beyond them those nearest to having recovered make room, then new
         /// ones farthest from every focus stay as they are.
         sheets: u32 = 16384, "sheets" in 64..=1000000;
+        /// Shrubs, trees or water plants of one stand that bodies or winds of a place move at once.
+        touched_plants: u32 = 256, "plants" in 1..=65536;
+        /// Of those in sight, how many are cut into layers anew in one step because the view of them has turned.
+        cuts: u32 = 24, "plants" in 1..=65536;
+        /// Pixels of all layers that are kept, millions: 16 MB each.
+        layer_pixels: u32 = 16, "million" in 1..=1024;
         /// Steps run at most for one call, to catch up with the clock.
         catch_up: u32 = 4, "steps" in 1..=60;
         /// What plants show beyond the active patches.

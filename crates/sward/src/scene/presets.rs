@@ -5,6 +5,8 @@ use super::blade::Blade;
 use super::chain::{BladeByBlade, Chain, DragPower};
 use super::continuum::{Continuum, Lag};
 use super::error::{Problem, SceneError, Trail};
+use super::harmonic::{Harmonic, HarmonicOverrides};
+use super::layers::{Form, Grown, Layers, LayersOverrides, PlantMesh};
 use super::oscillator::{Oscillator, Swinging};
 use super::sheet::{Sheet, SheetOverrides};
 use super::springs::Springs;
@@ -31,6 +33,19 @@ pub struct SpeciesModel {
     pub blade: Option<Blade>,
     /// How they look as sheets, where that is what they are drawn as.
     pub sheet: Option<Sheet>,
+    /// How they sway and look, where they are meshes in layers.
+    pub layered: Option<Layered>,
+    /// Cells along a patch side.
+    pub cells: u32,
+}
+
+/// How meshes sway, and how they are drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layered {
+    /// How they sway.
+    pub harmonic: Harmonic,
+    /// How they are cut and drawn.
+    pub layers: Layers,
 }
 
 impl SpeciesModel {
@@ -119,7 +134,48 @@ impl Stand {
                 _ => None,
             },
             sheet,
+            layered: self.layered(trail)?,
+            cells: self.cells.unwrap_or(if self.is_layered() { 8 } else { 128 }),
         })
+    }
+
+    /// Whether its plants are meshes that sway in layers.
+    #[must_use]
+    pub fn is_layered(&self) -> bool {
+        self.species.is_mesh()
+            || matches!(self.response, Some(Response::Harmonic(_)))
+            || matches!(self.representation, Some(Representation::Layers(_)))
+    }
+
+    /// How its meshes sway and look; `None` for stands of grass.
+    fn layered(&self, trail: &Trail) -> Result<Option<Layered>, Problem> {
+        if !self.is_layered() {
+            return match self.places.is_empty() {
+                true => Ok(None),
+                false => {
+                    let message = "`places` are for shrubs, trees and water plants: grass grows everywhere";
+                    Err(Problem::at(trail.clone().key("places"), message).help("limit it with a mask or exclusions"))
+                }
+            };
+        }
+        let harmonic = match &self.response {
+            None => HarmonicOverrides::default(),
+            Some(Response::Harmonic(overrides)) => overrides.clone(),
+            Some(_) => {
+                let message = "plants in layers sway as a whole";
+                return Err(Problem::at(trail.clone().key("response"), message).help("write `Harmonic(…)`, or leave it out"));
+            }
+        };
+        let layers = match &self.representation {
+            None => LayersOverrides::default(),
+            Some(Representation::Layers(overrides)) => overrides.clone(),
+            Some(_) => {
+                let message = "plants that sway as a whole are meshes in layers";
+                return Err(Problem::at(trail.clone().key("representation"), message).help("write `Layers(…)`, or leave it out"));
+            }
+        };
+        let layered = Layered { harmonic: self.species.harmonic().with(&harmonic), layers: self.species.layers().with(&layers) };
+        Ok(Some(layered))
     }
 }
 
@@ -132,7 +188,39 @@ impl Species {
             Self::Meadow => [0.3, 0.5],
             Self::Reed => [0.9, 1.5],
             Self::Tussock => [0.225, 0.375],
+            Self::Shrub => [1.1, 1.7],
+            Self::Tree => [5.5, 8.5],
+            Self::WaterPlant => [0.35, 0.6],
         }
+    }
+
+    /// Whether its plants are meshes.
+    #[must_use]
+    pub fn is_mesh(&self) -> bool {
+        matches!(self, Self::Shrub | Self::Tree | Self::WaterPlant)
+    }
+
+    /// How meshes of the species sway.
+    #[must_use]
+    pub fn harmonic(&self) -> Harmonic {
+        // Side of the plane [m], speed [m/s], frequency [Hz], damping ratio, gain
+        let (side, speed, frequency, damping, gain) = match self {
+            Self::Tree => (16.0, 3.0, 0.5, 0.15, 0.6),
+            Self::WaterPlant => (2.0, 0.25, 0.35, 0.5, 1.0),
+            _ => (8.0, 1.5, 0.9, 0.18, 0.6),
+        };
+        Harmonic { side, speed, frequency, damping, gain, ..Harmonic::default() }
+    }
+
+    /// How meshes of the species are drawn.
+    #[must_use]
+    pub fn layers(&self) -> Layers {
+        let (form, triangles, scale, rigidity) = match self {
+            Self::Tree => (Form::Tree, 40000, [3.5, 2.0, 1.2], 0.8),
+            Self::WaterPlant => (Form::WaterPlant, 12000, [3.0, 1.5, 1.0], 1.2),
+            _ => (Form::Bush, 20000, [2.0, 1.2, 0.8], 1.0),
+        };
+        Layers { mesh: PlantMesh::Grown(Grown { form, triangles, ..Grown::default() }), scale, rigidity, ..Layers::default() }
     }
 
     /// How the species moves. Plants in a stand damp each other, so the ratios are higher than for a single blade.
@@ -141,7 +229,7 @@ impl Species {
         // c0 [m/s], mu, lambda_theta, lambda_omega, kappa [1/s²], wind, gamma_top and gamma_recover [s]
         let [c0, mu, lambda_theta, lambda_omega, kappa, wind, gamma_top, gamma_recover] = match self {
             Self::Lawn => [1.0, 0.02, 0.50, 0.50, 70.0, 0.0159, 0.0, 0.0],
-            Self::Meadow => [2.0, 0.06, 0.12, 0.20, 114.0, 0.0356, 0.12, 0.06],
+            Self::Meadow | Self::Shrub | Self::Tree | Self::WaterPlant => [2.0, 0.06, 0.12, 0.20, 114.0, 0.0356, 0.12, 0.06],
             Self::Reed => [2.5, 0.10, 0.09, 0.15, 43.0, 0.0385, 0.30, 0.15],
             // methods' λ_θ 0.30 and c₀ 3 let 28 blades flip behind a turning car; these let none.
             Self::Tussock => [2.5, 0.03, 0.36, 0.35, 400.0, 0.0142, 0.05, 0.03],
@@ -156,7 +244,7 @@ impl Species {
         // Stiffness at root and tip [N·m²], mass [kg/m], damping ratio, drag [N/m at 1 m/s]
         let (rigidity_root, rigidity_tip, mass, damping, drag) = match self {
             Self::Lawn => (1.1e-6, 7.75e-7, 5e-4, 0.25, 6e-4),
-            Self::Meadow => (6e-4, 3.3e-4, 1.12e-3, 0.15, 1.6e-3),
+            Self::Meadow | Self::Shrub | Self::Tree | Self::WaterPlant => (6e-4, 3.3e-4, 1.12e-3, 0.15, 1.6e-3),
             Self::Reed => (3.428e-2, 1.697e-2, 2.509e-3, 0.10, 5.251e-3),
             Self::Tussock => (1.6e-3, 9.6e-4, 2e-3, 0.20, 5e-3),
         };
@@ -169,7 +257,7 @@ impl Species {
         // Frequency [Hz], damping ratio, wind [m/s² at 1 m/s]
         let (frequency, damping, wind) = match self {
             Self::Lawn => (5.0, 5.0, 0.78),
-            Self::Meadow => (1.7, 0.18, 1.61),
+            Self::Meadow | Self::Shrub | Self::Tree | Self::WaterPlant => (1.7, 0.18, 1.61),
             Self::Reed => (1.05, 0.12, 2.01),
             Self::Tussock => (3.5, 0.30, 2.06),
         };
@@ -181,7 +269,7 @@ impl Species {
     pub fn springs(&self) -> Springs {
         let (stiffness, recover) = match self {
             Self::Lawn => (1.0, 1.5),
-            Self::Meadow => (1.0, 2.5),
+            Self::Meadow | Self::Shrub | Self::Tree | Self::WaterPlant => (1.0, 2.5),
             Self::Reed => (0.9, 4.0),
             Self::Tussock => (1.0, 1.0),
         };
@@ -194,7 +282,7 @@ impl Species {
         let Billboard { segments, colour_root, colour_tip, dryness, .. } = self.billboard();
         let (blades, tuft, width, lean, curl) = match self {
             Self::Lawn => (64, 0.0, 0.006, 0.5, 0.7),
-            Self::Meadow => (32, 0.25, 0.009, 0.35, 1.0),
+            Self::Meadow | Self::Shrub | Self::Tree | Self::WaterPlant => (32, 0.25, 0.009, 0.35, 1.0),
             Self::Reed => (14, 0.2, 0.020, 0.14, 0.9),
             Self::Tussock => (40, 0.75, 0.006, 0.65, 0.9),
         };
@@ -216,7 +304,7 @@ impl Species {
     pub fn billboard(&self) -> Billboard {
         let (segments, width, colour_root, colour_tip, dryness) = match self {
             Self::Lawn => (1, 0.16, [0.026, 0.075, 0.012], [0.075, 0.205, 0.028], 0.0),
-            Self::Meadow => (4, 0.55, [0.024, 0.066, 0.011], [0.085, 0.200, 0.030], 0.05),
+            Self::Meadow | Self::Shrub | Self::Tree | Self::WaterPlant => (4, 0.55, [0.024, 0.066, 0.011], [0.085, 0.200, 0.030], 0.05),
             Self::Reed => (7, 0.60, [0.030, 0.060, 0.014], [0.080, 0.165, 0.038], 0.06),
             Self::Tussock => (2, 0.50, [0.045, 0.060, 0.016], [0.140, 0.170, 0.048], 0.24),
         };

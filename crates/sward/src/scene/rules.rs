@@ -3,7 +3,7 @@
 use super::error::{Problem, Trail};
 use super::explain::suggest;
 use super::locate::locate;
-use super::{Area, Blade, Camera, Edit, FORMAT_VERSION, Flow, Interactor, Path, Scene, Shape, Stand, Terrain, WindSource};
+use super::{Area, Blade, Camera, Edit, FORMAT_VERSION, Flow, Interactor, Layered, Path, PlantMesh, Scene, Shape, Stand, Terrain, WindSource};
 
 type Checked = Result<(), Problem>;
 
@@ -107,13 +107,39 @@ fn terrain(terrain: &Terrain) -> Checked {
     }
 }
 
+/// What is said of meshes in layers.
+fn layered_stand(layered: &Layered, trail: &Trail) -> Checked {
+    let cells = layered.harmonic.cells;
+    if !cells.is_power_of_two() {
+        let (below, above) = (cells.next_power_of_two() / 2, cells.next_power_of_two());
+        let message = format!("`cells` is {cells}, allowed are powers of two");
+        return Err(Problem::at(trail.clone().key("response").key("cells"), message).help(format!("{below} or {above}")));
+    }
+    let layers = trail.clone().key("representation");
+    let [near, mid] = layered.layers.bands;
+    if near > mid {
+        let message = format!("`bands` end at {near} and then at {mid}");
+        return Err(Problem::at(layers.key("bands"), message).help(format!("({mid}, {near})")));
+    }
+    match &layered.layers.mesh {
+        PlantMesh::File(file) if file.path.is_empty() => {
+            let place = layers.key("mesh").key("path");
+            Err(Problem::at(place, "`path` is empty").help("name a file, like \"assets/oak.glb\""))
+        }
+        _ => Ok(()),
+    }
+}
+
 fn stand(stand: &Stand, trail: &Trail) -> Checked {
-    if !stand.cells.is_multiple_of(8) {
-        let (below, above) = (stand.cells / 8 * 8, stand.cells / 8 * 8 + 8);
-        let message = format!("`cells` is {}, allowed are multiples of 8", stand.cells);
+    if let Some(cells) = stand.cells.filter(|cells| !cells.is_multiple_of(8)) {
+        let (below, above) = (cells / 8 * 8, cells / 8 * 8 + 8);
+        let message = format!("`cells` is {cells}, allowed are multiples of 8");
         return Err(Problem::at(trail.clone().key("cells"), message).help(format!("{below} or {above}")));
     }
     let model = stand.resolve_at(trail)?;
+    if let Some(layered) = &model.layered {
+        layered_stand(layered, trail)?;
+    }
     if model.height[0] > model.height[1] {
         let [low, high] = model.height;
         let message = format!("`height` runs from {low} down to {high}");

@@ -4,6 +4,8 @@ use super::billboard::BillboardOverrides;
 use super::blade::BladeOverrides;
 use super::chain::ChainOverrides;
 use super::continuum::ContinuumOverrides;
+use super::harmonic::HarmonicOverrides;
+use super::layers::{LayersOverrides, Place};
 use super::oscillator::OscillatorOverrides;
 use super::parameters::{choices, parameters};
 use super::sheet::SheetOverrides;
@@ -20,6 +22,12 @@ choices! {
         Reed,
         /// Tussock grass, 30 cm: stiff and quick.
         Tussock,
+        /// A leafy shrub, 1.4 m: a mesh that sways in layers.
+        Shrub,
+        /// A tree, 7 m: its crown sways in layers, its trunk stands.
+        Tree,
+        /// A water plant, 50 cm: sways slowly from root to tip.
+        WaterPlant,
     }
 }
 
@@ -36,6 +44,8 @@ choices! {
         Chain(ChainOverrides),
         /// As `Chain`, but only blades that a body has touched have a state; virtual blades feel the wind for all others.
         VirtualInertia(ChainOverrides),
+        /// Meshes sway with waves that the wind raises on a plane. Goes with the representation `Layers`.
+        Harmonic(HarmonicOverrides),
     }
 }
 
@@ -48,6 +58,8 @@ choices! {
         Blade(BladeOverrides),
         /// One card with a picture of a clump, bent as a smooth surface.
         Sheet(SheetOverrides),
+        /// A mesh of leaves and wood, cut into layers by their distance from the eye. Goes with the response `Harmonic`.
+        Layers(LayersOverrides),
     }
 }
 
@@ -58,8 +70,11 @@ parameters! {
         species: Species = Species::Meadow, "", required;
         /// A name, unique in the scene. Without it the species in lower case.
         name: String = String::new(), "";
-        /// Cells along a patch side, a multiple of 8; each cell can carry one plant. The cell size is patch_side / cells.
-        cells: u32 = 128, "cells" in 8..=256;
+        /// Cells along a patch side, a multiple of 8; each cell can carry one plant. The cell size is patch_side / cells. Without it 128; of shrubs and
+        /// trees 8.
+        cells: Option<u32> = None, "cells" in 8..=256;
+        /// Where single plants stand, of shrubs, trees and water plants; then none grow elsewhere.
+        places: Vec<Place> = Vec::new(), "";
         /// Share of the cells that carry a plant.
         cover: f32 = 1.0, "" in 0.0..=1.0;
         /// How much height and cover differ from clump to clump.
@@ -72,7 +87,7 @@ parameters! {
         /// How far each plant leans some way of its own: 1 is up to 0.6 rad.
         messiness: f32 = 0.0, "" in 0.0..=1.0;
         /// Least and greatest plant height. Without it the species' own.
-        height: Option<[f32; 2]> = None, "m" in 0.01..=5.0;
+        height: Option<[f32; 2]> = None, "m" in 0.01..=50.0;
         /// Least and greatest steepness of the ground on which it grows, rise over run: 1 is 45 degrees. Without it anywhere.
         slope: Option<[f32; 2]> = None, "" in 0.0..=100.0;
         /// How the plants move, where it differs from the species.

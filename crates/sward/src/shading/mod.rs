@@ -8,6 +8,7 @@ pub mod body;
 pub mod clump;
 mod clump_levels;
 pub mod common;
+pub mod crown;
 pub mod environment;
 pub mod foliage;
 pub mod grass;
@@ -31,7 +32,7 @@ pub const FOLIAGE_WGSL: &str = include_str!("foliage.wgsl");
 pub const BODY_WGSL: &str = include_str!("body.wgsl");
 
 /// All texts in the order they must be joined.
-pub const WGSL: [&str; 10] = [
+pub const WGSL: [&str; 11] = [
     COMMON_WGSL,
     SKY_WGSL,
     GRASS_WGSL,
@@ -39,6 +40,7 @@ pub const WGSL: [&str; 10] = [
     FOLIAGE_WGSL,
     BODY_WGSL,
     blade::WGSL,
+    crown::WGSL,
     environment::WGSL,
     volume::WGSL,
     volume::lit::WGSL,

@@ -8,6 +8,7 @@ pub mod clump_texture;
 pub mod ground;
 pub mod growth_maps;
 mod height_samples;
+pub mod layers;
 mod pipeline;
 pub mod plant_pass;
 pub mod plants;
@@ -64,6 +65,8 @@ pub fn assembled() -> Vec<(&'static str, String)> {
         ("plants", assemble(&plant_pass::PARTS)),
         ("sheets", assemble(&plant_pass::SHEET_PARTS)),
         ("blades", assemble(&[&[blades::constants().as_str()], &blades::PARTS[..]].concat())),
+        ("cut", assemble(&layers::CUT_PARTS)),
+        ("layers", assemble(&layers::PARTS)),
         ("sky", assemble(&sky::PARTS)),
         ("resolve", assemble(&targets::PARTS)),
         ("resolve, OpenGL", assemble(&targets::MEAN_PARTS)),
@@ -74,6 +77,8 @@ pub fn assembled() -> Vec<(&'static str, String)> {
         ("plants in surroundings", assemble_lit(&plant_pass::PARTS)),
         ("sheets in surroundings", assemble_lit(&plant_pass::SHEET_PARTS)),
         ("blades in surroundings", assemble_lit(&[&[blades::constants().as_str()], &blades::PARTS[..]].concat())),
+        ("cut in surroundings", assemble_lit(&layers::CUT_PARTS)),
+        ("layers in surroundings", assemble_lit(&layers::PARTS)),
         ("sky in surroundings", assemble_lit(&sky::PARTS)),
     ]);
     texts.extend(blades::assembled());

@@ -26,6 +26,13 @@ fn frame_earth(colour: vec3<f32>, p: vec2<f32>, normal: vec3<f32>, view: vec3<f3
     return shading_earth(colour, p, normal, view, distance, frame.right.w, frame_light(), lit);
 }
 
+// Light of the sky on a crown's leaf or wood.
+fn frame_crown_sky(albedo: vec3<f32>, normal: vec3<f32>, open: f32, through: f32, place: vec3<f32>) -> vec3<f32> {
+    let front = mix(frame.ground.rgb, frame.sky.rgb, 0.5 + 0.5 * normal.y);
+    let back = mix(frame.ground.rgb, frame.sky.rgb, 0.5 - 0.5 * normal.y);
+    return shading_crown_sky(albedo, front, back, open, through);
+}
+
 fn frame_body(colour: vec3<f32>, surface: vec3<f32>, normal: vec3<f32>, view: vec3<f32>, lit: f32) -> vec3<f32> {
     return shading_body(colour, surface, normal, view, frame_light(), frame.sun.w, lit);
 }

@@ -47,6 +47,8 @@ pub struct PlantDraws<'a> {
     pub batches: &'a [PlantBatch<'a>],
     /// Stands of blades.
     pub blades: &'a [super::blades::BladeDraw<'a>],
+    /// Stands of meshes.
+    pub layers: Option<super::layers::LayerDraws<'a>>,
 }
 
 /// Indices drawn per instance.

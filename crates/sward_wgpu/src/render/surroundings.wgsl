@@ -38,6 +38,12 @@ fn frame_backdrop(ray: vec3<f32>) -> vec3<f32> {
     return ambient_seen(ray) + environment_disc(ray, frame.sun.xyz, ambient.disc.rgb, ambient.shape.w);
 }
 
+// Light of the surroundings on a crown's leaf or wood: that above the grass.
+fn frame_crown_sky(albedo: vec3<f32>, normal: vec3<f32>, open: f32, through: f32, place: vec3<f32>) -> vec3<f32> {
+    let faces = ambient_faces(place, 1.0);
+    return shading_crown_sky(albedo, volume_facing(faces, normal).rgb, volume_facing(faces, -normal).rgb, open, through);
+}
+
 // `above`: height of `place` over its root.
 fn frame_foliage(species: ShadingSpecies, card: ShadingCard, texel: vec4<f32>, view: vec3<f32>, distance: f32, lit: f32, place: vec3<f32>, above: f32) -> vec3<f32> {
     let light = frame_light();

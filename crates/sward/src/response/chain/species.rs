@@ -33,6 +33,7 @@ impl Blade {
             Species::Meadow => 4,
             Species::Reed => 7,
             Species::Tussock => 3,
+            Species::Shrub | Species::Tree | Species::WaterPlant => 4,
         };
         let [low, high] = species.height();
         Self::built(&species.chain(), None, 0.5 * f64::from(low + high), segments)

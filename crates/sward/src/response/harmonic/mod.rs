@@ -4,17 +4,29 @@
 //!
 //! | part | what |
 //! |---|---|
+//! | `stand` | plants that are meshes: where they stand, and the plane that moves them |
 //! | `plane` | the waves: a velocity of each cell, drawn by the wind, spreading and swinging |
+//! | `touch` | a small plane of one plant, for bodies and local winds |
+//! | `history`, `lag` | layers farther off show what the first one did some time ago |
 //! | `view` | the same velocity along the axes of a camera, by a rotation |
-//! | `lag` | layers farther off show what the first one did some time ago |
 //! | `warp` | how far a layer's picture is moved where |
+//! | `step` | a step of a stand, on the CPU |
 
+mod history;
 mod lag;
 mod plane;
+mod stand;
+mod step;
+mod touch;
 mod view;
 mod warp;
 
-pub use lag::{History, Lags, lags};
-pub use plane::{HarmonicCoefficients, Waves};
+pub use history::{Moment, REMEMBERED, Ring};
+pub use lag::{drifted, lags};
+pub use crate::state::Waves;
+pub use plane::HarmonicCoefficients;
+pub use stand::{HarmonicModel, LayeredStand};
+pub use step::{air, step_layered};
+pub use touch::{TOUCH_SIDE, step_touched};
 pub use view::{Axes, seen};
 pub use warp::{Warp, offset};

@@ -3,7 +3,8 @@
 //! Chen & Johan 2015, §3.3; methods §5. State: V \[m/s\], x and y of n × n cells of a periodic plane, now and one step before. Twin: `harmonic.wgsl`.
 //! Differs from the paper: κ pulls V to what the wind makes of it. Without it V drifts without bound.
 
-use crate::math::{lower, upper};
+use crate::math::lower;
+use crate::state::Waves;
 
 /// Numbers of the kernel; the same layout in WGSL.
 #[repr(C)]
@@ -20,13 +21,11 @@ pub struct HarmonicCoefficients {
 }
 
 impl HarmonicCoefficients {
-    /// Of waves of `speed` \[m/s\] and vegetation that swings at `frequency` \[Hz\] and loses `damping` of its change in 1/60 s, on cells of `cell` \[m\] in
-    /// steps of `dt` \[s\]. Frequency and speed are kept where the scheme is stable: 8c²Δt²/Δx² + κΔt² < 4 − 2λ.
-    pub fn new(speed: f32, frequency: f32, damping: f32, gain: f32, cell: f32, dt: f32) -> Self {
-        // Of as many steps as fit a sixtieth of a second, each loses its part.
-        let kept = crate::math::exp_f64(60.0 * f64::from(dt) * crate::math::ln_f64(f64::from(upper(1.0 - damping, 1e-6))));
-        let damping = (1.0 - kept) as f32;
+    /// Of waves of `speed` \[m/s\] and vegetation that swings at `frequency` \[Hz\] with a damping `ratio`, on cells of `cell` \[m\] in steps of `dt`
+    /// \[s\]. Frequency and speed are kept where the scheme is stable: 8c²Δt²/Δx² + κΔt² < 4 − 2λ.
+    pub fn new(speed: f32, frequency: f32, ratio: f32, gain: f32, cell: f32, dt: f32) -> Self {
         let turn = std::f32::consts::TAU * frequency * dt;
+        let damping = (1.0 - crate::math::exp_f64(-2.0 * f64::from(ratio * turn))) as f32;
         let restoring = lower(turn * turn, 1.0);
         let pace = speed * dt / cell;
         let spread = lower(pace * pace, 0.98 * (4.0 - 2.0 * damping - restoring) / 8.0);
@@ -34,15 +33,8 @@ impl HarmonicCoefficients {
     }
 }
 
-/// The state.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Waves {
-    side: usize,
-    /// V now, row by row.
-    pub now: Vec<[f32; 2]>,
-    /// V one step before; of the next step while one is under way.
-    pub old: Vec<[f32; 2]>,
-}
+/// What a body does to a cell: the velocity it has there \[m/s\], and how far it holds the cell, 0 to 1.
+pub(super) type Held = ([f32; 2], f32);
 
 impl Waves {
     /// Vegetation that rests, on `side` × `side` cells.
@@ -51,20 +43,46 @@ impl Waves {
         Self { side, now: still.clone(), old: still }
     }
 
-    /// One step in a wind \[m/s\] on the same cells.
+    /// Cells along a side.
+    pub fn side(&self) -> usize {
+        self.side
+    }
+
+    /// One step in a wind \[m/s\] on the same cells; the plane repeats.
     pub fn step(&mut self, co: &HarmonicCoefficients, wind: &[[f32; 2]]) {
         let n = self.side;
+        self.step_by(co, &|i| (i + n - 1) % n, &|i| (i + 1) % n, &|cell| wind[cell], &|_| ([0.0; 2], 0.0));
+    }
+
+    /// One step of a plane that ends at its rim, all in one wind \[m/s\]; `held` says what bodies do to a cell.
+    pub fn step_apart(&mut self, co: &HarmonicCoefficients, wind: [f32; 2], held: &dyn Fn(usize) -> Held) {
+        let last = self.side - 1;
+        self.step_by(co, &|i| if i > 0 { i - 1 } else { 0 }, &|i| if i < last { i + 1 } else { last }, &|_| wind, held);
+    }
+
+    #[inline(always)]
+    fn step_by(
+        &mut self,
+        co: &HarmonicCoefficients,
+        before: &dyn Fn(usize) -> usize,
+        after: &dyn Fn(usize) -> usize,
+        wind: &dyn Fn(usize) -> [f32; 2],
+        held: &dyn Fn(usize) -> Held,
+    ) {
+        let n = self.side;
         for j in 0..n {
-            let (row, below, above) = (j * n, (j + n - 1) % n * n, (j + 1) % n * n);
+            let (row, below, above) = (j * n, before(j) * n, after(j) * n);
             for i in 0..n {
-                let (left, right) = ((i + n - 1) % n, (i + 1) % n);
+                let (left, right) = (before(i), after(i));
+                let (air, (pushed, share)) = (wind(row + i), held(row + i));
                 for part in 0..2 {
                     let here = self.now[row + i][part];
-                    let before = self.old[row + i][part];
+                    let old = self.old[row + i][part];
                     let around =
                         self.now[row + left][part] + self.now[row + right][part] + self.now[below + i][part] + self.now[above + i][part];
-                    let pulled = co.spread * (around - 4.0 * here) - co.restoring * (here - co.gain * wind[row + i][part]);
-                    self.old[row + i][part] = here + (1.0 - co.damping) * (here - before) + pulled;
+                    let pulled = co.spread * (around - 4.0 * here) - co.restoring * (here - co.gain * air[part]);
+                    let free = here + (1.0 - co.damping) * (here - old) + pulled;
+                    self.old[row + i][part] = free + share * (pushed[part] - free);
                 }
             }
         }

@@ -1,0 +1,136 @@
+//! A stand of plants that are meshes: where they stand, and the plane whose waves move them.
+//!
+//! Chen & Johan 2015, §3.3; methods §5. Differs from the paper: the plane stands in the ground along the wind, not where the viewer first looked from;
+//! gusts over the ground are turned up into it.
+
+use std::sync::Arc;
+
+use super::history::Ring;
+use super::plane::HarmonicCoefficients;
+use super::touch::TOUCH_SIDE;
+use super::view::Axes;
+use crate::growth::Growth;
+use crate::placement::PlacementParameters;
+use crate::scene::{Harmonic, Layered, Layers, Place};
+use crate::specimen::Specimen;
+use crate::wind::{Source, WindField};
+
+/// The compiled half of the response.
+#[derive(Clone, Debug)]
+pub struct HarmonicModel {
+    /// Cells along a side of the plane.
+    pub cells: u32,
+    /// Side of a cell, m.
+    pub cell: f32,
+    /// The plane's axes.
+    pub axes: Axes,
+    /// Kernel numbers of the plane.
+    pub coefficients: HarmonicCoefficients,
+    /// Side of a cell of a touched plant's own plane, m.
+    pub touch_cell: f32,
+    /// Kernel numbers of that.
+    pub touch_coefficients: HarmonicCoefficients,
+    /// Velocity of leaves over that of a body that brushes past; 0: none does.
+    pub touch: f32,
+    /// Which notes of the past hold what.
+    pub ring: Ring,
+    /// Speed of waves, m/s.
+    pub speed: f32,
+    /// Steps after which a touched plant has come to rest.
+    pub settle: u32,
+    /// Depth of the deepest plant, m.
+    pub deep: f32,
+    /// Wind sources along the plane.
+    sources: Vec<Source>,
+    /// Mean wind along it, m/s.
+    mean: f32,
+}
+
+impl HarmonicModel {
+    /// Of a stand whose largest plant is `size` \[m\] wide and high, in the wind of `sources`.
+    pub fn new(harmonic: &Harmonic, size: [f32; 2], sources: &[Source], dt: f64) -> Self {
+        let wind = WindField::at(sources, 0, dt, 1.0).mean;
+        let calm = wind == [0.0; 2];
+        let heading = harmonic.heading.unwrap_or(if calm { 0.0 } else { crate::math::atan2(wind[1], wind[0]) });
+        let (sine, cosine) = crate::math::sin_cos(heading);
+        let axes = Axes { right: [cosine, 0.0, sine], up: [0.0, 1.0, 0.0], forward: [sine, 0.0, -cosine] };
+        let cell = harmonic.side / harmonic.cells as f32;
+        let kernel = |cell: f32| {
+            HarmonicCoefficients::new(harmonic.speed, harmonic.frequency, harmonic.damping, harmonic.gain, cell, dt as f32)
+        };
+        let touch_cell = size[0].max(size[1]).max(0.05) / TOUCH_SIDE as f32;
+        // Down to a thousandth; whatever is left then is cut off.
+        let rate = std::f32::consts::TAU * harmonic.frequency * harmonic.damping.clamp(0.02, 1.0);
+        let along = |velocity: [f32; 2]| velocity[0] * cosine + velocity[1] * sine;
+        let turned = |source: &Source| match *source {
+            Source::Uniform { velocity } => Source::Uniform { velocity: [along(velocity), 0.0] },
+            Source::Natural { velocity, turbulence } => {
+                // Gusts keep their strength however the plane stands to the wind, and run along it.
+                let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
+                Source::Natural { velocity: [if along(velocity) < 0.0 { -speed } else { speed }, 0.0], turbulence }
+            }
+        };
+        Self {
+            cells: harmonic.cells,
+            cell,
+            axes,
+            coefficients: kernel(cell),
+            touch_cell,
+            touch_coefficients: kernel(touch_cell),
+            touch: harmonic.touch,
+            ring: Ring::new(dt),
+            speed: harmonic.speed,
+            settle: (7.0 / rate / dt as f32).min(1e6) as u32 + 1,
+            deep: size[0],
+            sources: sources.iter().map(turned).collect(),
+            mean: along(wind),
+        }
+    }
+
+    /// The wind on the nodes of the plane, its middle of a cell each, `step` steps after the start: x along the plane's right, z up. It repeats with the
+    /// plane.
+    pub fn wind(&self, step: u64, dt: f64) -> WindField {
+        let field = WindField::at(&self.sources, step, dt, f64::from(self.cell));
+        WindField { mean: [self.mean, 0.0], ..field.snapped(self.cells) }
+    }
+
+    /// A ground velocity \[m/s, x and z\] along the plane's right.
+    pub fn along(&self, velocity: [f32; 2]) -> f32 {
+        velocity[0] * self.axes.right[0] + velocity[1] * self.axes.right[2]
+    }
+
+    /// The same through the plane.
+    pub fn through(&self, velocity: [f32; 2]) -> f32 {
+        velocity[0] * self.axes.forward[0] + velocity[1] * self.axes.forward[2]
+    }
+}
+
+/// A stand of meshes, compiled.
+#[derive(Clone, Debug)]
+pub struct LayeredStand {
+    /// Unique name.
+    pub name: String,
+    /// Number in the scene.
+    pub index: usize,
+    /// How its plants sway and look, as written.
+    pub layered: Layered,
+    /// What moves them.
+    pub harmonic: HarmonicModel,
+    /// Their mesh.
+    pub specimen: Arc<Specimen>,
+    /// Plants with places of their own; none: they grow as `placement` says.
+    pub places: Vec<Place>,
+    /// Where plants stand.
+    pub placement: PlacementParameters,
+    /// Where they grow less, or not at all.
+    pub growth: Growth,
+    /// Patch side, m.
+    pub patch_side: f64,
+}
+
+impl LayeredStand {
+    /// How plants are drawn.
+    pub fn layers(&self) -> &Layers {
+        &self.layered.layers
+    }
+}

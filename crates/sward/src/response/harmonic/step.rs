@@ -1,0 +1,38 @@
+//! A step of a stand of meshes on the CPU: the wind on the plane, its waves, its notes; and the planes of plants that are touched.
+//!
+//! Chen & Johan 2015, §3.3; methods §5. Reads: wind, bodies on the planes. Writes: state. Twin: `harmonic.wgsl`.
+
+use super::stand::HarmonicModel;
+use super::touch::{TOUCH_SIDE, step_touched};
+use crate::plan::LayeredPlan;
+use crate::state::{LayeredState, Waves};
+use crate::wind::WindField;
+
+/// The wind on the plane \[m/s\], row by row.
+pub fn air(model: &HarmonicModel, wind: &WindField) -> Vec<[f32; 2]> {
+    let phases = wind.patch_phases([0, 0], model.cells);
+    let n = model.cells as i32;
+    (0..n * n).map(|cell| wind.velocity(&phases, [cell % n, cell / n])).collect()
+}
+
+/// One step; `step` is the number of steps done before it.
+pub fn step_layered(model: &HarmonicModel, plan: &LayeredPlan, state: &mut LayeredState, step: u64) {
+    let air = air(model, &plan.wind);
+    state.waves.step(&model.coefficients, &air);
+    let note = model.ring.present(step + 1) as usize;
+    if let Some(note) = state.notes.get_mut(note) {
+        note.clear();
+        note.extend_from_slice(&state.waves.now);
+    }
+    for touched in &plan.touched {
+        let slot = touched.slot as usize;
+        if state.touches.len() <= slot {
+            state.touches.resize_with(slot + 1, Waves::default);
+        }
+        if touched.fresh || state.touches[slot].side() == 0 {
+            state.touches[slot] = Waves::new(TOUCH_SIDE as usize);
+        }
+        let brushes = &plan.brushes[touched.brushes.start as usize..touched.brushes.end as usize];
+        step_touched(&mut state.touches[slot], &model.touch_coefficients, touched.wind, brushes);
+    }
+}

@@ -1,0 +1,48 @@
+//! A small plane of waves of one plant, for what bodies and local winds do to it alone.
+//!
+//! Not in the paper: there only wind moves plants. A body that brushes past carries the leaves it covers along, as far as the plane shows its way, and
+//! parts them to its sides; waves and rest are those of the wind's plane. Twin: `harmonic.wgsl`.
+
+use super::plane::{HarmonicCoefficients, Held};
+use crate::math::{lower, upper};
+use crate::plan::Brush;
+use crate::state::Waves;
+
+/// Cells along a side.
+pub const TOUCH_SIDE: u32 = 16;
+/// Share of a cell's velocity that a body sets in 1/60 s.
+const HOLD: f32 = 0.35;
+/// How fast leaves give way to the sides, over how fast the body comes through.
+const PARTING: f32 = 0.5;
+
+impl Brush {
+    /// `hold` of a step of `dt` \[s\].
+    pub fn hold(dt: f32) -> f32 {
+        lower(60.0 * dt * HOLD, 0.9)
+    }
+
+    /// What it does to the middle of a cell.
+    fn on(&self, cell: [f32; 2]) -> Held {
+        let [x, y] = [0, 1].map(|axis: usize| (cell[axis] - self.at[axis]) / self.half[axis]);
+        let (across, up) = (if x < 0.0 { -x } else { x }, if y < 0.0 { -y } else { y });
+        let rim = upper(1.0 - across * across, 0.0) * upper(1.0 - up * up, 0.0);
+        let share = self.hold * lower(3.0 * rim, 1.0);
+        ([self.velocity[0] + PARTING * self.through * x, self.velocity[1]], share)
+    }
+}
+
+/// Middle of a cell: right of the root, and above it.
+fn middle(cell: usize) -> [f32; 2] {
+    let side = TOUCH_SIDE as usize;
+    [(cell % side) as f32 + 0.5 - 0.5 * TOUCH_SIDE as f32, (cell / side) as f32 + 0.5]
+}
+
+/// One step of a plant's plane, in a local wind \[m/s along the plane\] and under some bodies.
+pub fn step_touched(waves: &mut Waves, co: &HarmonicCoefficients, wind: [f32; 2], brushes: &[Brush]) {
+    let held = |cell: usize| {
+        let at = middle(cell);
+        // The one that holds most.
+        brushes.iter().map(|brush| brush.on(at)).fold(([0.0; 2], 0.0), |most, one| if one.1 > most.1 { one } else { most })
+    };
+    waves.step_apart(co, wind, &held);
+}

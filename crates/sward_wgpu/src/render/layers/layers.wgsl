@@ -1,0 +1,115 @@
+// Layers in the main pass and in the shadow map: textures of cut plants on grids that the waves move.
+
+@group(0) @binding(4) var<storage, read> layers: array<LayerDraw>;
+@group(0) @binding(5) var<storage, read> layer_notes: array<vec2<f32>>;
+@group(0) @binding(6) var<storage, read> layer_touches: array<vec2<f32>>;
+@group(0) @binding(7) var layer_sky: texture_2d<f32>;
+@group(0) @binding(8) var layer_sun: texture_2d<f32>;
+@group(0) @binding(9) var layer_sampler: sampler;
+
+fn layers_note(index: u32) -> vec2<f32> {
+    return layer_notes[index];
+}
+
+fn layers_touch(index: u32) -> vec2<f32> {
+    return layer_touches[index];
+}
+
+struct LayerPoint {
+    @builtin(position) position: vec4<f32>,
+    @location(0) place: vec3<f32>,
+    @location(1) uv: vec2<f32>,
+    @location(2) air: vec4<f32>, // light the air adds, and what it leaves of the layer's
+    @location(3) @interpolate(flat) index: u32,
+}
+
+// Corners of a grid of two triangles a piece.
+fn layers_share(draw: LayerDraw, vertex: u32) -> vec2<f32> {
+    let piece = vertex / 6u;
+    let columns = u32(draw.window.z);
+    let corner = vec2<u32>((0x32u >> (vertex % 6u)) & 1u, (0x2cu >> (vertex % 6u)) & 1u);
+    return vec2<f32>(vec2<u32>(piece % columns, piece / columns) + corner) / draw.window.zw;
+}
+
+@vertex
+fn layers_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) index: u32) -> LayerPoint {
+    let draw = layers[index];
+    let corner = layers_corner(draw, layers_share(draw, vertex));
+    let away = corner.place - frame.camera.xyz;
+    let clear = shading_fog(length(away), frame.camera.w);
+    let air = vec4<f32>(frame_air(normalize(away)) * (1.0 - clear), clear);
+    return LayerPoint(frame.view_projection * vec4<f32>(corner.place, 1.0), corner.place, corner.uv, air, index);
+}
+
+// What a layer shows at a pixel.
+struct LayerTexel { sky: vec3<f32>, sun: vec3<f32>, alpha: f32, behind: f32 }
+
+fn layers_texel(uv: vec2<f32>) -> LayerTexel {
+    let sky = textureSampleLevel(layer_sky, layer_sampler, uv, 0.0);
+    let sun = textureSampleLevel(layer_sun, layer_sampler, uv, 0.0);
+    let whole = 1.0 / max(sky.a, 1e-3);
+    return LayerTexel(sky.rgb * whole, sun.rgb * whole, sky.a, sun.a * whole);
+}
+
+// A point of frame space that lies `behind` a layer's point as its cut saw it.
+fn layers_place(draw: LayerDraw, place: vec3<f32>, behind: f32) -> vec3<f32> {
+    return place + (place - draw.eye.xyz) * (behind / draw.eye.w);
+}
+
+// Which samples of a pixel a layer covers: of as many as alpha says, those of its share while one cut fades into another.
+fn layers_samples(draw: LayerDraw, alpha: f32, pixel: vec2<i32>) -> u32 {
+    let chance = shading_hash(pixel.x, pixel.y, draw.which.z + 3u);
+    let turn = u32(chance * 4.0);
+    let covered = (1u << u32(alpha * 4.0 + 0.5)) - 1u;
+    let spread = ((covered << turn) | (covered >> (4u - turn))) & 15u;
+    if draw.which.y == 0u {
+        return spread;
+    }
+    let noise = shading_hash(pixel.x, pixel.y, 77u);
+    let arrived = (1u << u32(clamp(draw.forward.w * 4.0 + noise, 0.0, 4.0))) - 1u;
+    return spread & select(15u ^ arrived, arrived, draw.which.y == 1u);
+}
+
+struct LayerPixel {
+    @location(0) colour: vec4<f32>,
+    @builtin(frag_depth) depth: f32,
+    @builtin(sample_mask) samples: u32,
+}
+
+@fragment
+fn layers_fragment(point: LayerPoint) -> LayerPixel {
+    let texel = layers_texel(point.uv);
+    if texel.alpha < 0.125 {
+        discard;
+    }
+    let draw = layers[point.index];
+    let place = layers_place(draw, point.place, texel.behind);
+    let lit = shadows_lit(shadows_place(place, 0.12), 2.2, SHADING_MEAN_LIT);
+    let colour = point.air.rgb + (texel.sky + texel.sun * lit) * point.air.a;
+    let clip = frame.view_projection * vec4<f32>(place, 1.0);
+    return LayerPixel(vec4<f32>(colour, 1.0), clamp(clip.z / clip.w, 0.0, 1.0), layers_samples(draw, texel.alpha, vec2<i32>(point.position.xy)));
+}
+
+struct LayerShade {
+    @builtin(position) position: vec4<f32>,
+    @location(0) place: vec3<f32>,
+    @location(1) uv: vec2<f32>,
+    @location(2) @interpolate(flat) index: u32,
+}
+
+@vertex
+fn layers_shadow_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) index: u32) -> LayerShade {
+    let draw = layers[index];
+    let corner = layers_corner(draw, layers_share(draw, vertex));
+    let at = (frame.shadow * vec4<f32>(corner.place, 1.0)).xyz;
+    return LayerShade(vec4<f32>(at.x * 2.0 - 1.0, 1.0 - at.y * 2.0, at.z, 1.0), corner.place, corner.uv, index);
+}
+
+@fragment
+fn layers_shadow_fragment(shade: LayerShade) -> @builtin(frag_depth) f32 {
+    let texel = layers_texel(shade.uv);
+    if texel.alpha < 0.5 {
+        discard;
+    }
+    return clamp((frame.shadow * vec4<f32>(layers_place(layers[shade.index], shade.place, texel.behind), 1.0)).z, 0.0, 1.0);
+}
