@@ -3,16 +3,19 @@
 //! `SWARDSTATE`, format version (u32), checksum of the rest (u64), then the state in postcard's encoding; little-endian throughout.
 //! Ground and free places are worked out again. On the CPU continuing gives the same bits; a GPU continues from the same bits.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use crate::response::springs::pool;
 use crate::response::{StandModel, chain, continuum, oscillator};
 use crate::state::{Awake, BodyState, Counters, NONE, PatchKey, Sheets, State, Summary};
 use crate::terrain::Edits;
+use crate::wind::fluid::{FASTEST, FluidState};
 use crate::world::World;
 
 /// What [`World::save`] writes and [`World::restore`] reads.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 const MAGIC: &[u8; 10] = b"SWARDSTATE";
 /// Far beyond any bend \[rad\] or velocity \[rad/s\] that the limits leave, and small enough that a step stays finite.
 const FARTHEST: f32 = 1e4;
@@ -54,6 +57,8 @@ struct Saved {
     edited_steps: u64,
     edited: Vec<PatchKey>,
     stands: Vec<SavedStand>,
+    /// Flows of planes of air, now and a step before.
+    fluids: Vec<[Vec<[f32; 2]>; 2]>,
 }
 
 /// Planes are those of awake patches, in key order.
@@ -117,6 +122,7 @@ impl World {
             edited_steps: state.edited_steps,
             edited: state.edited.union(&state.resampled).copied().collect(),
             stands: stands.collect(),
+            fluids: state.fluids.iter().map(|fluid| [fluid.now.to_vec(), fluid.before.to_vec()]).collect(),
         };
         // Encoding plain data into memory cannot fail.
         let payload = postcard::to_stdvec(&saved).unwrap_or_default();
@@ -162,6 +168,7 @@ impl World {
             edited: saved.edited.into_iter().collect(),
             resampled: Default::default(),
             stands: Vec::new(),
+            fluids: restored_fluids(saved.fluids)?,
         };
         if !state_is_sound(&state) {
             return Err(SavedError::Damaged("a number in it is out of bounds"));
@@ -186,10 +193,15 @@ impl World {
         let mut counts = vec![
             ("interactors", saved.bodies.len() as u64, self.state.bodies.len() as u64),
             ("stands", saved.stands.len() as u64, self.model.stands.len() as u64),
+            ("fluids", saved.fluids.len() as u64, self.model.fluids.len() as u64),
         ];
         for (stand, model) in saved.stands.iter().zip(&self.model.stands) {
             counts.push(("cells a patch side", stand.cells.into(), model.cells.into()));
             counts.push(("segments", stand.segments.into(), model.lag.segments.into()));
+        }
+        for (flows, model) in saved.fluids.iter().zip(&self.model.fluids) {
+            let expected = (model.texels() / 2) as u64;
+            counts.extend(flows.iter().map(|flow| ("cells of air", flow.len() as u64, expected)));
         }
         match counts.into_iter().find(|(_, found, expected)| found != expected) {
             Some((what, found, expected)) => Err(SavedError::OtherScene { what, found, expected }),
@@ -269,6 +281,15 @@ impl World {
         (stand.summaries, stand.counters) = (saved.summaries.into(), counters);
         Ok(stand)
     }
+}
+
+/// Flows as saved, if they could be.
+fn restored_fluids(saved: Vec<[Vec<[f32; 2]>; 2]>) -> Result<Vec<FluidState>, SavedError> {
+    let near = |value: &f32| (-FASTEST..=FASTEST).contains(value);
+    if !saved.iter().flatten().flatten().flatten().all(near) {
+        return Err(SavedError::Damaged("its air is none"));
+    }
+    Ok(saved.into_iter().map(|[now, before]| FluidState { now: Arc::new(now), before: Arc::new(before) }).collect())
 }
 
 /// Sheets as saved, if they could be.

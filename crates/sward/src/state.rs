@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use serde::{Deserialize, Serialize};
 
 use crate::placement::Growing;
+use crate::wind::fluid::FluidState;
 
 pub use sheets::{Billboard, SheetPool, Sheets};
 
@@ -34,6 +35,8 @@ pub struct State {
     pub bodies: Vec<BodyState>,
     /// One entry per stand, in the scene's order.
     pub stands: Vec<StandState>,
+    /// The flow of each plane of air, in the scene's order; where a GPU steps, as of the last download.
+    pub fluids: Vec<FluidState>,
     /// Points the last step cared about, m (x, z): the camera's, unless some are pinned.
     pub focuses: Vec<[f64; 2]>,
     /// Points set from code to be cared about instead of the camera's, m (x, z): for servers, replays and several players.
@@ -52,8 +55,8 @@ pub struct State {
 }
 
 impl State {
-    /// A fingerprint (FNV-1a) of the step, and of the bits of both time levels of every awake patch on the CPU, stand by stand in key
-    /// order. Where a patch is stored does not matter. Equal states have equal fingerprints on every machine.
+    /// A fingerprint (FNV-1a) of the step, of the bits of both time levels of every awake patch on the CPU, stand by stand in key
+    /// order, and of the air that flows. Where a patch is stored does not matter. Equal states have equal fingerprints on every machine.
     pub fn hash(&self) -> u64 {
         let mut hash = Fingerprint(0xcbf2_9ce4_8422_2325);
         hash.add(self.step as u32);
@@ -70,6 +73,9 @@ impl State {
                     blades.iter().for_each(|value| hash.add(value.to_bits()));
                 }
             }
+        }
+        for flow in self.fluids.iter().flat_map(|fluid| [&fluid.now, &fluid.before]) {
+            flow.iter().flatten().for_each(|value| hash.add(value.to_bits()));
         }
         hash.0
     }

@@ -15,4 +15,6 @@ pub enum Stage {
     Virtual,
     /// Blades with a state of their own, and bodies that push them.
     Blades,
+    /// Air that flows.
+    Air,
 }
