@@ -223,6 +223,10 @@ impl Studio {
     ) -> Vec<[BatchPlan; 2]> {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         self.prepare.follow(gpu, world);
+        match cells {
+            CellsAt::Gpu(step) => self.prepare.shared.air.copy_from(&mut encoder, step.air()),
+            CellsAt::Cpu => self.prepare.shared.air.upload(gpu, world),
+        }
         let share = share(world);
         let mut filled = Vec::new();
         for (index, stand) in world.model.stands.iter().enumerate() {
@@ -257,7 +261,7 @@ impl Studio {
             if let (Some(solve), Some(plan)) = (&self.solve, &blades[index]) {
                 let prepare = PrepareUniform::new(world, stand, false, seen, look);
                 let wind = world.wind_before(stand, seen.behind);
-                let of = Solving { prepare, wind: &wind, cells: stored, growth: &growth.view };
+                let of = Solving { prepare, wind: &wind, air: &self.prepare.shared.air, cells: stored, growth: &growth.view };
                 let (shared, buffers) = (&self.prepare.shared, &mut self.blades[index]);
                 solve.record(gpu, &mut encoder, shared, &of, plan, buffers, self.renderer.stopwatch.as_mut());
             }
