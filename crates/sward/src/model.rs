@@ -222,7 +222,13 @@ fn body_models(scene: &Scene, assets: &dyn Assets) -> Result<Vec<BodyModel>, Sce
             Some(figure) => figure.pieces(0.0).into_iter().flatten().collect(),
             None => pieces_of(&interactor.shape),
         };
-        bodies.push(BodyModel { name: interactor.name.clone(), half: half_of(&interactor.shape, &pieces), reach: reach_of(&pieces), pieces, figure });
+        bodies.push(BodyModel {
+            name: interactor.name.clone(),
+            half: half_of(&interactor.shape, &pieces),
+            reach: reach_of(&pieces),
+            pieces,
+            figure,
+        });
     }
     Ok(bodies)
 }

@@ -131,8 +131,7 @@ impl FluidPasses {
             let drags = filled("bodies in air", bytemuck::cast_slice(&plan.drags));
             let bound =
                 [(0, &numbers), (1, &plane.table), (2, &gusts), (3, &drags), (4, &air.buffer), (5, &plane.waves), (6, &plane.cells)];
-            let passes =
-                [&self.force, &self.columns, &self.spread, &self.rows, &self.advect, &self.columns, &self.project, &self.end];
+            let passes = [&self.force, &self.columns, &self.spread, &self.rows, &self.advect, &self.columns, &self.project, &self.end];
             for pass in passes {
                 let groups = Groups::Direct([model.side as u32, 1, 1]);
                 work.add(&pass.run(gpu, encoder, &bound, groups, stopwatch.as_deref_mut()));

@@ -164,7 +164,11 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("LagCoefficients", step(), lag),
         ("WindOctave", step(), octave),
         ("WindFootprint", step(), print),
-        ("WindBlock", step(), layout!(WindBlock { mean, count, intervals, octaves, footprint_count, fluid_count, unused, footprints, fluids })),
+        (
+            "WindBlock",
+            step(),
+            layout!(WindBlock { mean, count, intervals, octaves, footprint_count, fluid_count, unused, footprints, fluids }),
+        ),
         ("WindFluid", step(), layout!(FluidBlock { phase, step, per_metre, now, before, bits, behind })),
         ("FluidGust", text_of("air that flows"), layout!(Gust { at, change, radius, unused })),
         ("FluidDrag", text_of("air that flows"), layout!(Drag { at, half, velocity, turn, leaves, unused })),

@@ -81,7 +81,13 @@ fn each_library_is_valid_with_its_stubs() {
 /// A library that forgot one of its needs must be noticed.
 #[test]
 fn a_library_without_its_needs_is_refused() {
-    for (name, text) in [("placement", placement::WGSL), ("terrain", terrain::WGSL), ("wind", wind::WGSL), ("sum of the wind", wind::SUM_WGSL), ("contact", interaction::WGSL)] {
+    for (name, text) in [
+        ("placement", placement::WGSL),
+        ("terrain", terrain::WGSL),
+        ("wind", wind::WGSL),
+        ("sum of the wind", wind::SUM_WGSL),
+        ("contact", interaction::WGSL),
+    ] {
         assert!(validate(text).is_err(), "{name} is valid without what it needs");
     }
 }

@@ -24,4 +24,5 @@ pub use real::Real;
 pub use source::{FluidPlan, FluidSource, Passing};
 
 /// The text of the WGSL twins; the host's functions stand in the files. It needs `math.wgsl`.
-pub const WGSL: [&str; 4] = [include_str!("fft.wgsl"), include_str!("project.wgsl"), include_str!("advect.wgsl"), include_str!("force.wgsl")];
+pub const WGSL: [&str; 4] =
+    [include_str!("fft.wgsl"), include_str!("project.wgsl"), include_str!("advect.wgsl"), include_str!("force.wgsl")];

@@ -171,7 +171,8 @@ impl FluidSource {
     /// What happens to the air in the step after `step` of them.
     pub fn plan(&self, step: u64, passing: impl Iterator<Item = Passing>) -> FluidPlan {
         let gust = |pulse: &Pulse| {
-            let height = pulse.rate.map_or(1.0, |rate| 0.5 - 0.5 * sin_cos_f64(radians(rate.wrapping_mul(step).wrapping_add(pulse.start))).1);
+            let height =
+                pulse.rate.map_or(1.0, |rate| 0.5 - 0.5 * sin_cos_f64(radians(rate.wrapping_mul(step).wrapping_add(pulse.start))).1);
             let change = pulse.change.map(|change| (change * height) as f32);
             Gust { at: self.on_plane(pulse.at, step), change, radius: pulse.radius, unused: [0.0; 3] }
         };
