@@ -1,5 +1,6 @@
 //! The compiled scene: everything a step reads and never changes, but for the ground where it is edited.
 
+mod fluids;
 mod limits;
 mod maps;
 
@@ -21,13 +22,14 @@ use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::response::oscillator::OscillatorModel;
 use crate::response::springs::SpringsModel;
 use crate::scene::{
-    Area, MeshShape, Path as ScenePath, PlantMesh, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
+    Area, GustFrom, MeshShape, Path as ScenePath, PlantMesh, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
 use crate::shading::environment::Environment;
 use crate::specimen::Specimen;
 use crate::state::{BodyState, Root};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
-use crate::wind::{Flow, Images, Source, Tile};
+use crate::wind::fluid::FluidSource;
+use crate::wind::{Flow, Images, Source, Tile, WindField};
 
 /// Where a scene's files (terrain, bodies) come from.
 pub trait Assets {
@@ -84,6 +86,8 @@ pub struct BodyModel {
     pub figure: Option<FigureBody>,
     /// Half width and half length of its base, m.
     pub half: [f64; 2],
+    /// Half width and half length of all of it, m.
+    pub reach: [f64; 2],
 }
 
 impl BodyModel {
@@ -127,6 +131,8 @@ pub struct Model {
     pub blowers: Vec<Blower>,
     /// Their images.
     pub images: Arc<Images>,
+    /// Air that flows.
+    pub fluids: Vec<FluidSource>,
     /// The wind changes with time.
     pub gusty: bool,
     /// Bodies in the scene's order.
@@ -172,8 +178,11 @@ fn half_of(shape: &Shape, pieces: &[Piece]) -> [f64; 2] {
     if matches!(shape, Shape::Truck) {
         return [0.8, 1.45];
     }
-    let reach = |axis: usize| pieces.iter().flat_map(|piece| &piece.outline).map(|p| p[axis].abs()).fold(0.05, f64::max);
-    [reach(0), reach(1)]
+    reach_of(pieces)
+}
+
+fn reach_of(pieces: &[Piece]) -> [f64; 2] {
+    [0, 1].map(|axis: usize| pieces.iter().flat_map(|piece| &piece.outline).map(|p| p[axis].abs()).fold(0.05, f64::max))
 }
 
 /// Why a file cannot be this body, with the value of the scene that is at fault.
@@ -217,7 +226,13 @@ fn body_models(scene: &Scene, assets: &dyn Assets) -> Result<Vec<BodyModel>, Sce
             Some(figure) => figure.pieces(0.0).into_iter().flatten().collect(),
             None => pieces_of(&interactor.shape),
         };
-        bodies.push(BodyModel { name: interactor.name.clone(), half: half_of(&interactor.shape, &pieces), pieces, figure });
+        bodies.push(BodyModel {
+            name: interactor.name.clone(),
+            half: half_of(&interactor.shape, &pieces),
+            reach: reach_of(&pieces),
+            pieces,
+            figure,
+        });
     }
     Ok(bodies)
 }
@@ -227,7 +242,7 @@ fn named<T>(list: &[(Arc<T>, Vec<String>)], stand: &String) -> Vec<Arc<T>> {
     list.iter().filter(|(_, names)| names.is_empty() || names.contains(stand)).map(|(one, _)| Arc::clone(one)).collect()
 }
 
-fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named], combs: &[NamedComb]) -> Result<Vec<StandModel>, SceneError> {
+fn stand_models(scene: &Scene, usual: &WindField, limits: &[Named], combs: &[NamedComb]) -> Result<Vec<StandModel>, SceneError> {
     let dt = 1.0 / f64::from(scene.steps_per_second);
     let patch_side = f64::from(scene.field.patch_side);
     let mut stands: Vec<StandModel> = Vec::new();
@@ -248,7 +263,7 @@ fn stand_models(scene: &Scene, sources: &[Source], limits: &[Named], combs: &[Na
             index,
             growth,
             lag: LagCoefficients::new(&species.continuum, species.segments(), dt),
-            tolerance: tolerance(&species, chain.as_ref(), oscillator.as_ref(), sources),
+            tolerance: tolerance(&species, chain.as_ref(), oscillator.as_ref(), usual),
             chain,
             oscillator,
             springs: SpringsModel::of(&species, dt, scene.budget.sheets),
@@ -353,8 +368,7 @@ fn chain_model(scene: &Scene, index: usize, species: &SpeciesModel, patch_side: 
 /// 1e-3 in still or steady air. In gusts plants trail β_eq by their inertia for ever, slow ones by nearly the whole swing, and some
 /// cell of a patch always meets a rare gust: what gusts of four standard deviations make of the mean bend is rest there, and the
 /// patch fades into β_eq.
-fn tolerance(species: &SpeciesModel, chain: Option<&ChainModel>, oscillator: Option<&OscillatorModel>, sources: &[Source]) -> f32 {
-    let wind = crate::wind::WindField::at(sources, 0, 1.0, 1.0);
+fn tolerance(species: &SpeciesModel, chain: Option<&ChainModel>, oscillator: Option<&OscillatorModel>, wind: &WindField) -> f32 {
     let mean = (wind.mean[0] * wind.mean[0] + wind.mean[1] * wind.mean[1]).sqrt();
     let rare = 2.0 * (wind.gust_speed() - mean);
     let bend = |speed: f32| match chain {
@@ -427,8 +441,14 @@ pub fn rebased(mut scene: Scene) -> Scene {
         move_path(&mut interactor.path);
     }
     for source in &mut scene.wind {
-        if let WindSource::Footprint(print) = source {
-            move_path(&mut print.path);
+        match source {
+            WindSource::Footprint(print) => move_path(&mut print.path),
+            WindSource::Fluid(fluid) => fluid.gusts.iter_mut().for_each(|gust| {
+                if let GustFrom::Place(place) = &mut gust.from {
+                    move_to(&mut place.at);
+                }
+            }),
+            WindSource::Uniform(_) | WindSource::Natural(_) => (),
         }
     }
     if scene.camera.follow.is_none() {
@@ -462,6 +482,7 @@ impl Model {
             .filter_map(|source| match source {
                 WindSource::Uniform(wind) => Some(Source::Uniform { velocity: wind.velocity }),
                 WindSource::Natural(wind) => Some(Source::Natural { velocity: wind.velocity, turbulence: wind.turbulence }),
+                WindSource::Fluid(wind) => Some(Source::Uniform { velocity: wind.velocity }),
                 WindSource::Footprint(_) => None,
             })
             .collect();
@@ -473,9 +494,11 @@ impl Model {
         let scattered = |error: TerrainError| SceneError::in_file("", error.to_string()).named_by(Trail::default().key("edits"));
         terrain.reserve_edits(&scene.edits).map_err(scattered)?;
         let limits = limits::of(scene, assets)?;
-        let layered = layered_stands(scene, &sources, &limits, assets)?;
-        let stands = stand_models(scene, &sources, &limits, &limits::combs(scene, assets)?)?;
         let (blowers, images) = blowers(scene, assets)?;
+        let fluids = fluids::of(scene, (Tile::shipped().texels().len() + images.texels().len()) as u32);
+        let usual = fluids::usual_wind(&sources, &fluids);
+        let stands = stand_models(scene, &usual, &limits, &limits::combs(scene, assets)?)?;
+        let layered = layered_stands(scene, &sources, &limits, assets)?;
         let bodies = body_models(scene, assets)?;
         let texels = stands.iter().filter_map(|stand| stand.springs.as_ref()).map(|springs| springs.texels).max().unwrap_or(0);
         Ok(Self {
@@ -484,7 +507,9 @@ impl Model {
             patch_side: f64::from(scene.field.patch_side),
             field,
             terrain,
-            gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0)),
+            gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0))
+                || fluids.iter().any(FluidSource::is_gusty),
+            fluids,
             stands,
             layered,
             limits: limits.into_iter().map(|(limit, _)| limit).collect(),
@@ -497,8 +522,9 @@ impl Model {
         })
     }
 
-    /// What the kernels' `wind_tile_load` reads: the noise tile, then the images of footprints.
+    /// What the kernels' `wind_tile_load` reads: the noise tile, then the images of footprints; room for flows ([`FluidSource::texel`]) follows.
     pub fn wind_texels(&self) -> Vec<[f32; 2]> {
-        [Tile::shipped().texels(), self.images.texels()].concat()
+        let flows = self.fluids.iter().map(FluidSource::texels).sum();
+        [Tile::shipped().texels(), self.images.texels(), &vec![[0.0; 2]; flows]].concat()
     }
 }

@@ -10,6 +10,7 @@ use crate::interaction::{Contact, ContactEdge, Footprint};
 use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
 use crate::wind::WindField;
 pub use layered::{Brush, LayeredPlan, TouchPlan};
+use crate::wind::fluid::FluidPlan;
 
 /// One step, planned.
 #[derive(Clone, Debug)]
@@ -22,6 +23,8 @@ pub struct Plan {
     pub layered: Vec<LayeredPlan>,
     /// Bodies whose maps must be drawn anew before, with the seconds since each appeared.
     pub maps: Vec<(u32, f64)>,
+    /// What pushes each plane of air, which flows on when all stands have read it.
+    pub fluids: Vec<FluidPlan>,
 }
 
 /// What one stand does in a step.

@@ -4,6 +4,7 @@
 //! Ground and free places are worked out again. On the CPU continuing gives the same bits; a GPU continues from the same bits.
 
 mod layered;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -11,6 +12,7 @@ use crate::response::springs::pool;
 use crate::response::{StandModel, chain, continuum, oscillator};
 use crate::state::{Awake, BodyState, Counters, LayeredState, NONE, PatchKey, Sheets, State, Summary};
 use crate::terrain::Edits;
+use crate::wind::fluid::{FASTEST, FluidState};
 use crate::world::World;
 
 /// What [`World::save`] writes and [`World::restore`] reads.
@@ -57,6 +59,8 @@ struct Saved {
     edited: Vec<PatchKey>,
     stands: Vec<SavedStand>,
     layered: Vec<LayeredState>,
+    /// Flows of planes of air, now and a step before.
+    fluids: Vec<[Vec<[f32; 2]>; 2]>,
 }
 
 /// Planes are those of awake patches, in key order.
@@ -121,6 +125,7 @@ impl World {
             edited: state.edited.union(&state.resampled).copied().collect(),
             stands: stands.collect(),
             layered: state.layered.clone(),
+            fluids: state.fluids.iter().map(|fluid| [fluid.now.to_vec(), fluid.before.to_vec()]).collect(),
         };
         // Encoding plain data into memory cannot fail.
         let payload = postcard::to_stdvec(&saved).unwrap_or_default();
@@ -167,6 +172,7 @@ impl World {
             resampled: Default::default(),
             stands: Vec::new(),
             layered: Vec::new(),
+            fluids: restored_fluids(saved.fluids)?,
         };
         if !state_is_sound(&state) {
             return Err(SavedError::Damaged("a number in it is out of bounds"));
@@ -198,6 +204,7 @@ impl World {
             ("interactors", saved.bodies.len() as u64, self.state.bodies.len() as u64),
             ("stands", saved.stands.len() as u64, self.model.stands.len() as u64),
             ("stands of meshes", saved.layered.len() as u64, self.model.layered.len() as u64),
+            ("fluids", saved.fluids.len() as u64, self.model.fluids.len() as u64),
         ];
         for (stand, model) in saved.layered.iter().zip(&self.model.layered) {
             counts.push(("cells of a plane", stand.waves.now.len() as u64, u64::from(model.harmonic.cells * model.harmonic.cells)));
@@ -205,6 +212,10 @@ impl World {
         for (stand, model) in saved.stands.iter().zip(&self.model.stands) {
             counts.push(("cells a patch side", stand.cells.into(), model.cells.into()));
             counts.push(("segments", stand.segments.into(), model.lag.segments.into()));
+        }
+        for (flows, model) in saved.fluids.iter().zip(&self.model.fluids) {
+            let expected = (model.texels() / 2) as u64;
+            counts.extend(flows.iter().map(|flow| ("cells of air", flow.len() as u64, expected)));
         }
         match counts.into_iter().find(|(_, found, expected)| found != expected) {
             Some((what, found, expected)) => Err(SavedError::OtherScene { what, found, expected }),
@@ -284,6 +295,15 @@ impl World {
         (stand.summaries, stand.counters) = (saved.summaries.into(), counters);
         Ok(stand)
     }
+}
+
+/// Flows as saved, if they could be.
+fn restored_fluids(saved: Vec<[Vec<[f32; 2]>; 2]>) -> Result<Vec<FluidState>, SavedError> {
+    let near = |value: &f32| (-FASTEST..=FASTEST).contains(value);
+    if !saved.iter().flatten().flatten().flatten().all(near) {
+        return Err(SavedError::Damaged("its air is none"));
+    }
+    Ok(saved.into_iter().map(|[now, before]| FluidState { now: Arc::new(now), before: Arc::new(before) }).collect())
 }
 
 /// Sheets as saved, if they could be.

@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use serde::{Deserialize, Serialize};
 
 use crate::placement::Growing;
+use crate::wind::fluid::FluidState;
 
 pub use layers::{Cut, Cuts, LayeredPlant, LayeredState, PlantKey, Waves};
 pub use sheets::{Billboard, SheetPool, Sheets};
@@ -38,6 +39,8 @@ pub struct State {
     pub stands: Vec<StandState>,
     /// One entry per stand of meshes, in the scene's order.
     pub layered: Vec<LayeredState>,
+    /// The flow of each plane of air, in the scene's order; where a GPU steps, as of the last download.
+    pub fluids: Vec<FluidState>,
     /// Points the last step cared about, m (x, z): the camera's, unless some are pinned.
     pub focuses: Vec<[f64; 2]>,
     /// Points set from code to be cared about instead of the camera's, m (x, z): for servers, replays and several players.
@@ -56,8 +59,8 @@ pub struct State {
 }
 
 impl State {
-    /// A fingerprint (FNV-1a) of the step, and of the bits of both time levels of every awake patch on the CPU, stand by stand in key
-    /// order. Where a patch is stored does not matter. Equal states have equal fingerprints on every machine.
+    /// A fingerprint (FNV-1a) of the step, of the bits of both time levels of every awake patch on the CPU, stand by stand in key
+    /// order, and of the air that flows. Where a patch is stored does not matter. Equal states have equal fingerprints on every machine.
     pub fn hash(&self) -> u64 {
         let mut hash = Fingerprint(0xcbf2_9ce4_8422_2325);
         hash.add(self.step as u32);
@@ -79,6 +82,9 @@ impl State {
             let planes = [&stand.waves].into_iter().chain(stand.pool.taken().filter_map(|(_, place)| stand.touches.get(place as usize)));
             let cells = planes.flat_map(|waves| waves.now.iter().chain(&waves.old));
             cells.flatten().chain(&stand.drift).for_each(|value| hash.add(value.to_bits()));
+        }
+        for flow in self.fluids.iter().flat_map(|fluid| [&fluid.now, &fluid.before]) {
+            flow.iter().flatten().for_each(|value| hash.add(value.to_bits()));
         }
         hash.0
     }

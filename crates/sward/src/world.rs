@@ -1,5 +1,6 @@
 //! The world: a scene, its compiled model and its state. One step is one page.
 
+mod air;
 mod asked;
 mod bodies;
 mod layered;
@@ -10,16 +11,16 @@ use std::sync::Arc;
 
 use crate::activation::{BAND, Circumstances, Sharing, activate, keep};
 use crate::interaction::solid::{Solids, WorldSolid};
-use crate::interaction::{Contact, Footprint, Pose, Station, station};
+use crate::interaction::{Contact, Footprint, Pose};
 use crate::lanes::Lanes;
-use crate::model::{Assets, Blower, Model, StandModel, rebased};
+use crate::model::{Assets, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, SheetPlan, StandPlan, around, patches_under, weights};
 use crate::response::{Stage, chain, continuum, harmonic, oscillator, springs};
 use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
 use crate::state::{BodyState, NONE, PatchKey, SheetPool, Sheets, StandState, State, Summary, TILE};
 use crate::terrain::TerrainError;
 use crate::view::View;
-use crate::wind::WindField;
+use crate::wind::fluid::FluidState;
 use sheets::Near;
 
 /// Faster than this, m/s, a body has jumped: it sweeps nothing.
@@ -59,7 +60,8 @@ impl World {
     pub fn new(scene: Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
         let scene = rebased(scene);
         let model = Model::compile(&scene, assets)?;
-        let state = State { bodies: vec![BodyState::default(); scene.interactors.len()], ..State::default() };
+        let fluids = model.fluids.iter().map(|fluid| FluidState::still(fluid.model.side)).collect();
+        let state = State { bodies: vec![BodyState::default(); scene.interactors.len()], fluids, ..State::default() };
         let texels = Arc::clone(&model.maps.texels);
         let mut world = Self { scene, model, state, lanes: Lanes::default(), texels };
         world.apply_edits(f64::NEG_INFINITY, 0.0);
@@ -176,7 +178,7 @@ impl World {
         let maps = self.moving_maps(&stands);
         let brushing = if self.model.layered.is_empty() { Vec::new() } else { self.brushing(&moving) };
         let layered = (0..self.model.layered.len()).map(|index| self.plan_layered(index, &brushing)).collect();
-        Plan { step: self.state.step, stands, layered, maps }
+        Plan { step: self.state.step, stands, layered, maps, fluids: self.plan_fluids() }
     }
 
     /// The response of every stand on the CPU, between [`World::plan`] and [`World::finish`].
@@ -210,6 +212,7 @@ impl World {
             harmonic::step_layered(&stand.harmonic, plan_of, state, plan.step);
             ended(Stage::Layers);
         }
+        self.flow(&plan.fluids, ended);
         summaries
     }
 
@@ -298,39 +301,6 @@ impl World {
     /// A fingerprint of the state's cells: see [`State::hash`].
     pub fn hash(&self) -> u64 {
         self.state.hash()
-    }
-
-    /// The wind of the coming step on the nodes of a stand.
-    pub fn wind(&self, stand: &StandModel) -> WindField {
-        self.wind_before(stand, 0.0)
-    }
-
-    /// The wind `behind` steps (0 to 1) before the state.
-    pub fn wind_before(&self, stand: &StandModel, behind: f64) -> WindField {
-        let node = stand.spacing * f64::from(continuum::NODE_CELLS);
-        let mut wind = WindField::before(&self.model.sources, self.state.step, behind, self.model.dt, node);
-        wind.images = self.model.images.clone();
-        wind.footprints = self.model.blowers.iter().filter_map(|blower| self.blown(blower, stand.cells, node, behind)).collect();
-        wind
-    }
-
-    /// The footprint of a blower on the nodes of a stand; `None` where nothing reaches the ground.
-    fn blown(&self, blower: &Blower, cells: u32, node: f64, behind: f64) -> Option<crate::wind::Footprint> {
-        let source = &blower.source;
-        let at = match blower.follow {
-            Some(body) => {
-                let pose = self.pose_before(body, behind)?;
-                let clearance = pose.height - self.model.terrain.height_at(pose.ground[0], pose.ground[1]);
-                Station { ground: pose.ground, yaw: pose.yaw, clearance }
-            }
-            None => station(&source.path, f64::from(source.height), self.time() - behind * self.model.dt),
-        };
-        let share = 1.0 - at.clearance / f64::from(source.ceiling);
-        let speed = source.speed * share.clamp(0.0, 1.0) as f32;
-        let (sine, cosine) = crate::math::sin_cos_f64(at.yaw);
-        let turn = [cosine as f32, sine as f32];
-        let intervals = cells / continuum::NODE_CELLS;
-        crate::wind::Footprint::new(blower.flow, &self.model.images, at.ground, turn, source.radius, speed, intervals, node)
     }
 
     /// Pixels of a metre, in a picture of 1080 rows, where a patch is nearest to a focus.

@@ -9,8 +9,8 @@ use sward::world::World;
 
 const STEPS: u32 = 300;
 /// Shipped scenes that go into the golden file: hills, gusts, several stands; many bodies; a gale; blade by blade; plants that swing; sheets;
-/// sheets and skinned bodies.
-const SCENES: [&str; 7] = ["hello", "crossing", "reed", "grassland", "footsteps", "stamp", "walkers"];
+/// sheets and skinned bodies; air that flows.
+const SCENES: [&str; 8] = ["hello", "crossing", "reed", "grassland", "footsteps", "stamp", "walkers", "eddies"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

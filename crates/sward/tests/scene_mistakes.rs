@@ -129,10 +129,37 @@ const BODIES: &[Mistake] = &[
     ("(version: 1, camera: (eye: (1, 2, 3),\n target: (1, 2, 3)))", 2, 10, "`target` is where the eye is", "move"),
 ];
 
+const AIR: &[Mistake] = &[
+    ("(version: 1, wind: [Fluid(\n cells: 48)])", 2, 9, "`cells` is 48, allowed are powers of two", "32 or 64"),
+    ("(version: 1, wind: [Fluid(\n cells: 1024)])", 2, 9, "`cells` is 1024, allowed 16 to 512", ""),
+    ("(version: 1, wind: [Fluid(\n side: 2)])", 2, 8, "`side` is 2 m, allowed 4 to 512", ""),
+    ("(version: 1, wind: [Fluid(\n fade: 0)])", 2, 8, "`fade` is 0 s, allowed 0.05 to 60", ""),
+    ("(version: 1, wind: [Fluid(\n viscosity: NaN)])", 2, 13, "`viscosity` is NaN m²/s, allowed 0 to 10", ""),
+    ("(version: 1, wind: [Fluid(\n gust: [])])", 2, 2, "`Fluid` has no field `gust`", "did you mean `gusts`?"),
+    ("(version: 1, wind: [Fluid(gusts: [(\n from: Weast)])])", 2, 8, "`Weast` is not known as `GustFrom`", "did you mean `West`?"),
+    ("(version: 1, wind: [Fluid(gusts: [(from: Place(\n))])])", 2, 2, "`at` is missing in `GustPlace`", "at"),
+    ("(version: 1, wind: [Fluid(gusts: [(\n strength: 1000)])])", 2, 12, "`strength` is 1000 m/s per s, allowed -100 to 100", ""),
+    (
+        "(version: 1, wind: [Fluid(side: 10, gusts: [(), (\n radius: 6)])])",
+        2,
+        10,
+        "`radius` is 6 m, but the square is 10 m wide",
+        "at most 5",
+    ),
+    ("(version: 1, wind: [Fluid(), Natural(), Fluid(),\n Fluid()])", 2, 2, "this is one `Fluid` more than 2", "remove one"),
+    (
+        "(version: 1, wind: [Fluid(gusts: [(), (), (), (), (), (), (), (), (), (), (), (), (), (), (), (),\n (radius: 2)])])",
+        2,
+        2,
+        "this is one gust more than 16",
+        "remove one",
+    ),
+];
+
 #[test]
 fn mistakes_are_explained_where_they_are() {
     let mut wrong = Vec::new();
-    for &(text, line, column, message, help) in [SYNTAX, RANGES, STANDS, BLADES, BODIES].concat().iter() {
+    for &(text, line, column, message, help) in [SYNTAX, RANGES, STANDS, BLADES, BODIES, AIR].concat().iter() {
         let error = Scene::parse(text, "test.ron").expect_err(text);
         let advice = error.help.as_deref().unwrap_or("");
         let right = (error.line, error.column) == (line, column) && error.message.starts_with(message) && advice.contains(help);

@@ -9,6 +9,7 @@ use sward::state::PatchKey;
 use sward::terrain::Terrain;
 use sward::world::World;
 
+use crate::compute::air::AirTexels;
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::{Gpu, GpuError};
 use crate::render::blades::{BladeBuffers, SolvePass, Solving};
@@ -27,6 +28,8 @@ pub(crate) struct KeptPast {
     pub(crate) moment: Past,
     /// Cells of that moment, per stand.
     cells: Vec<CellBuffers>,
+    /// Air of that moment.
+    air: AirTexels,
     /// The plants of the present picture as they were, near and plain, per stand.
     batches: Vec<[BatchBuffers; 2]>,
 }
@@ -38,6 +41,7 @@ impl KeptPast {
         let mut past = Self {
             moment: Past::of(world, behind),
             cells: stands.iter().enumerate().map(|(index, stand)| CellBuffers::new(gpu, stand, precision(cells, index))).collect(),
+            air: AirTexels::new(gpu, world),
             batches: stands.iter().map(|_| Default::default()).collect(),
         };
         past.keep_cells(gpu, world, cells)?;
@@ -51,6 +55,14 @@ impl KeptPast {
     }
 
     fn keep_cells(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>) -> Result<(), GpuError> {
+        match cells {
+            CellsAt::Cpu => self.air.upload(gpu, world),
+            CellsAt::Gpu(step) => {
+                let mut encoder = gpu.device.create_command_encoder(&Default::default());
+                self.air.copy_from(&mut encoder, step.air());
+                gpu.queue.submit([encoder.finish()]);
+            }
+        }
         let stands = world.model.stands.iter().zip(&world.state.stands);
         for (index, (kept, (stand, state))) in self.cells.iter_mut().zip(stands).enumerate() {
             match cells {
@@ -88,7 +100,7 @@ impl KeptPast {
         for (index, plain) in batch_order(plans) {
             let batch = self.moment.plan(index, origin, &plans[index][plain]);
             let buffers = &mut self.batches[index][plain];
-            let (cells, growth) = (&self.cells[index], &growth[index].view);
+            let (cells, growth) = ((&self.cells[index], &self.air), &growth[index].view);
             pass.record_past(gpu, &mut encoder, &self.moment, (index, origin), ground, &batch, plain == 1, cells, growth, buffers);
         }
         gpu.queue.submit([encoder.finish()]);
@@ -109,7 +121,7 @@ impl KeptPast {
             let Some(then) = plan.as_ref().and_then(|plan| self.moment.blades(index, origin, plan)) else { continue };
             let prepare = self.moment.uniform(index, origin, false, ground);
             let wind = self.moment.wind(index);
-            let of = Solving { prepare, wind: &wind, cells: &self.cells[index], growth: &growth[index].view };
+            let of = Solving { prepare, wind: &wind, air: &self.air, cells: &self.cells[index], growth: &growth[index].view };
             pass.record_past(gpu, &mut encoder, shared, &of, &then, &buffers[index]);
         }
         gpu.queue.submit([encoder.finish()]);

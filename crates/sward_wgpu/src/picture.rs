@@ -236,6 +236,11 @@ impl Renderer {
         gpu.check()
     }
 
+    /// Plants cut into layers since the beginning, and pixels of all layers that are kept.
+    pub fn layers_kept(&self) -> [u64; 2] {
+        self.layers.as_ref().map_or([0; 2], |pass| [pass.cut, pass.pixels()])
+    }
+
     /// Reads the last outputs beside a picture back; empty ones if none were drawn.
     ///
     /// # Errors

@@ -19,6 +19,7 @@ use sward::world::World;
 
 use crate::compute::GpuStep;
 use crate::compute::buffers::CellBuffers;
+use crate::compute::layers::LayeredBuffers;
 use crate::gpu::{Gpu, GpuError};
 use crate::past::KeptPast;
 use crate::picture::{self, Before, Picture, Renderer, Setup};
@@ -212,7 +213,7 @@ impl Studio {
         &mut self,
         gpu: &Gpu,
         world: &World,
-        _cells: &CellsAt<'_>,
+        cells: &CellsAt<'_>,
         behind: f64,
         size: [u32; 2],
         input: &FrameInput<'_>,
@@ -220,9 +221,14 @@ impl Studio {
         if world.model.layered.is_empty() {
             return Default::default();
         }
-        let stands = world.model.layered.iter().zip(&world.state.layered).zip(&mut self.waves);
-        stands.for_each(|((stand, state), waves)| waves.follow(gpu, &stand.harmonic, state, world.state.step));
-        let waves = self.waves.iter().map(|waves| waves.buffers.clone()).collect();
+        let waves = match cells {
+            CellsAt::Gpu(step) => step.layered().map(LayeredBuffers::waves).collect(),
+            CellsAt::Cpu => {
+                let stands = world.model.layered.iter().zip(&world.state.layered).zip(&mut self.waves);
+                stands.for_each(|((stand, state), waves)| waves.follow(gpu, &stand.harmonic, state, world.state.step));
+                self.waves.iter().map(|waves| waves.buffers.clone()).collect()
+            }
+        };
         (layers::plan(world, behind, size[1], input), waves)
     }
 
@@ -252,6 +258,10 @@ impl Studio {
     ) -> Vec<[BatchPlan; 2]> {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         self.prepare.follow(gpu, world);
+        match cells {
+            CellsAt::Gpu(step) => self.prepare.shared.air.copy_from(&mut encoder, step.air()),
+            CellsAt::Cpu => self.prepare.shared.air.upload(gpu, world),
+        }
         let share = share(world);
         let mut filled = Vec::new();
         for (index, stand) in world.model.stands.iter().enumerate() {
@@ -286,7 +296,7 @@ impl Studio {
             if let (Some(solve), Some(plan)) = (&self.solve, &blades[index]) {
                 let prepare = PrepareUniform::new(world, stand, false, seen, look);
                 let wind = world.wind_before(stand, seen.behind);
-                let of = Solving { prepare, wind: &wind, cells: stored, growth: &growth.view };
+                let of = Solving { prepare, wind: &wind, air: &self.prepare.shared.air, cells: stored, growth: &growth.view };
                 let (shared, buffers) = (&self.prepare.shared, &mut self.blades[index]);
                 solve.record(gpu, &mut encoder, shared, &of, plan, buffers, self.renderer.stopwatch.as_mut());
             }

@@ -12,6 +12,8 @@ mod continuum;
 mod controls;
 #[path = "support/distance_maps.rs"]
 mod distance_maps;
+#[path = "support/fluids.rs"]
+mod fluids;
 #[path = "../../sward/tests/figures/glb.rs"]
 #[allow(dead_code)] // Only two of its figures are used.
 mod glb;
@@ -43,6 +45,8 @@ fn main() -> std::process::ExitCode {
         ("small_maths", maths::small_maths),
         ("hashes", maths::hashes),
         ("wind_nodes_and_places", maths::wind_nodes_and_places),
+        ("fluid_steps", fluids::steps),
+        ("fluid_runs", fluids::runs),
         ("terrain_heights", maths::terrain_heights),
         ("terrain_detail", maths::terrain_detail),
         ("terrain_edits", maths::terrain_edits),

@@ -17,4 +17,6 @@ pub enum Stage {
     Blades,
     /// Waves of stands of meshes.
     Layers,
+    /// Air that flows.
+    Air,
 }

@@ -1,9 +1,11 @@
 //! Checks that no single range can express: what must agree, be unique, or come in order.
 
+mod wind;
+
 use super::error::{Problem, Trail};
 use super::explain::suggest;
 use super::locate::locate;
-use super::{Area, Blade, Camera, Edit, FORMAT_VERSION, Flow, Interactor, Layered, Path, PlantMesh, Scene, Shape, Stand, Terrain, WindSource};
+use super::{Area, Blade, Camera, Edit, FORMAT_VERSION, Interactor, Layered, Path, PlantMesh, Scene, Shape, Stand, Terrain};
 
 type Checked = Result<(), Problem>;
 
@@ -21,9 +23,7 @@ pub(super) fn check(scene: &Scene) -> Checked {
     let interactors = Trail::default().key("interactors");
     each(&scene.interactors, &interactors, interactor)?;
     unique(scene.interactors.iter().map(|body| body.name.clone()), &interactors, "interactors")?;
-    let wind = Trail::default().key("wind");
-    footprints(&scene.wind, &wind)?;
-    each(&scene.wind, &wind, |source, trail| wind_source(source, &scene.interactors, trail))?;
+    wind::check(&scene.wind, &scene.interactors)?;
     camera(&scene.camera, &scene.interactors)?;
     surroundings(scene)
 }
@@ -37,35 +37,6 @@ fn surroundings(scene: &Scene) -> Checked {
         }
         _ => Ok(()),
     }
-}
-
-/// No more than the kernels have room for.
-fn footprints(sources: &[WindSource], trail: &Trail) -> Checked {
-    let mut places = sources.iter().enumerate().filter(|(_, source)| matches!(source, WindSource::Footprint(_)));
-    match places.nth(super::wind::MAX_FOOTPRINTS) {
-        Some((index, _)) => {
-            let message = format!("this is one `Footprint` more than {}", super::wind::MAX_FOOTPRINTS);
-            Err(Problem::at(trail.clone().index(index), message).help("remove one"))
-        }
-        None => Ok(()),
-    }
-}
-
-fn wind_source(source: &WindSource, interactors: &[Interactor], trail: &Trail) -> Checked {
-    let WindSource::Footprint(print) = source else { return Ok(()) };
-    if let Flow::Image(image) = &print.flow
-        && image.path.is_empty()
-    {
-        return Err(Problem::at(trail.clone().key("flow").key("path"), "`path` is empty").help("name a PNG"));
-    }
-    if let Some(follow) = &print.follow {
-        return known(follow, interactors, trail.clone().key("follow"));
-    }
-    if matches!(print.path, Path::Driven(_)) {
-        let help = "drive an interactor, and name it in `follow`";
-        return Err(Problem::at(trail.clone().key("path"), "a footprint cannot be driven").help(help));
-    }
-    path(&print.path, trail)
 }
 
 /// Refuses a file of a newer format before its unknown names are complained about.

@@ -1,5 +1,6 @@
 //! Sources of wind; their sum is the velocity of the air.
 
+use super::fluid::Fluid;
 use super::parameters::{choices, parameters};
 use super::path::{Path, Still};
 
@@ -15,6 +16,8 @@ choices! {
         Natural(Natural),
         /// The wind of a place, which may move: of a helicopter, a fan, a whirl. At most 8 of them.
         Footprint(Footprint),
+        /// Air that flows, with eddies, gusts that are pushed in, and wakes of bodies. At most 2 of them.
+        Fluid(Fluid),
     }
 }
 

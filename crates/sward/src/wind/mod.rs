@@ -2,7 +2,7 @@
 //!
 //! Chen & Johan 2010 bend grass by natural wind; the noise is Belyaev et al. 2011, §3.3 (see [`noise`]). Wind is evaluated on
 //! nodes; phases are fixed-point numbers that wrap, so neighbouring patches agree bit for bit on the nodes they share, however
-//! far from home and however late. Writes: velocity \[m/s\] at nodes. Twins: `mod.wgsl`, `noise.wgsl`, `footprint.wgsl`.
+//! far from home and however late. Writes: velocity \[m/s\] at nodes. Twins: `mod.wgsl`, `sum.wgsl`, `noise.wgsl`, `footprint.wgsl`, `fluid/field.wgsl`.
 
 pub mod fluid;
 pub mod footprint;
@@ -13,14 +13,22 @@ mod tests;
 mod tile;
 
 use crate::math::{atan, cbrt, upper};
-pub use crate::scene::MAX_FOOTPRINTS;
+pub use crate::scene::{MAX_FLUIDS, MAX_FOOTPRINTS};
+use fluid::{FluidBlock, FluidField};
 pub use footprint::{Flow, Footprint, Images};
 pub use noise::Octave;
 use std::sync::Arc;
 pub use tile::{TILE_DEVIATION, TILE_SIDE, Tile};
 
 /// The text of the WGSL twin. It needs `math.wgsl`, and a function `wind_tile_load(index: u32) -> vec2<f32>` from its host.
-pub const WGSL: &str = concat!(include_str!("footprint.wgsl"), include_str!("noise.wgsl"), include_str!("mod.wgsl"));
+pub const WGSL: &str =
+    concat!(include_str!("footprint.wgsl"), include_str!("fluid/field.wgsl"), include_str!("noise.wgsl"), include_str!("mod.wgsl"));
+
+/// The sum of all sources, of hosts that have a `wind: WindBlock` and, for a patch that is tiled, another `tile_wind`.
+pub const TILED_SUM_WGSL: &str = concat!(include_str!("tiled.wgsl"), include_str!("sum.wgsl"));
+
+/// The same, of hosts in which no patch is tiled.
+pub const SUM_WGSL: &str = concat!(include_str!("untiled.wgsl"), include_str!("sum.wgsl"));
 
 /// Most octaves of one [`WindField`]; each [`Source::Natural`] has three.
 pub const MAX_OCTAVES: usize = 8;
@@ -57,6 +65,8 @@ pub struct WindField {
     pub footprints: Vec<Footprint>,
     /// Their images.
     pub images: Arc<Images>,
+    /// Air that flows, at most [`MAX_FLUIDS`]; their mean velocities are in `mean`.
+    pub fluids: Vec<FluidField>,
 }
 
 /// Where a place lies in the gusts and under the footprints.
@@ -66,6 +76,8 @@ pub struct Phases {
     pub octaves: [[u32; 2]; MAX_OCTAVES],
     /// The place seen from the centre of each footprint, 1/256 node.
     pub bases: [[i32; 2]; MAX_FOOTPRINTS],
+    /// Phases on the planes of air that flows; one whole plane is 2³².
+    pub fluids: [[u32; 2]; MAX_FLUIDS],
 }
 
 /// A [`WindField`] as the GPU reads it; the same layout as `WindBlock` in WGSL, fit for a uniform buffer.
@@ -82,10 +94,14 @@ pub struct WindBlock {
     pub octaves: [Octave; MAX_OCTAVES],
     /// How many footprints count.
     pub footprint_count: u32,
+    /// How many planes of air count.
+    pub fluid_count: u32,
     /// Keeps footprints at a multiple of 16 bytes.
-    pub unused: [u32; 3],
+    pub unused: [u32; 2],
     /// Wind of places.
     pub footprints: [Footprint; MAX_FOOTPRINTS],
+    /// Air that flows.
+    pub fluids: [FluidBlock; MAX_FLUIDS],
 }
 
 impl WindField {
@@ -115,11 +131,11 @@ impl WindField {
             octaves.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
             octaves.truncate(MAX_OCTAVES);
         }
-        Self { mean, octaves, dropped, tile: Tile::shipped(), footprints: Vec::new(), images: Arc::default() }
+        Self { mean, octaves, dropped, tile: Tile::shipped(), footprints: Vec::new(), images: Arc::default(), fluids: Vec::new() }
     }
 
-    /// The same wind with every gust repeating a whole number of times over `intervals` nodes along each side, so that one patch
-    /// of it can be tiled without a seam (methods §1.6).
+    /// The same wind with every gust, and every plane of air that flows, repeating a whole number of times over `intervals` nodes along each side, so
+    /// that one patch of it can be tiled without a seam (methods §1.6).
     pub fn snapped(&self, intervals: u32) -> Self {
         let mut field = self.clone();
         let snap = |step: u32| {
@@ -131,6 +147,7 @@ impl WindField {
         for octave in &mut field.octaves {
             (octave.step_x, octave.step_z) = (octave.step_x.map(snap), octave.step_z.map(snap));
         }
+        field.fluids.iter_mut().for_each(|fluid| *fluid = fluid.snapped(intervals));
         field
     }
 
@@ -144,6 +161,9 @@ impl WindField {
         for (base, print) in phases.bases.iter_mut().zip(&self.footprints) {
             *base = print.base(patch, intervals);
         }
+        for (phase, fluid) in phases.fluids.iter_mut().zip(&self.fluids) {
+            *phase = fluid.node_phase(fluid.block.phase, node);
+        }
         phases
     }
 
@@ -156,6 +176,9 @@ impl WindField {
         for (print, base) in self.footprints.iter().zip(&phases.bases) {
             let [x, z] = print.velocity(&self.images, print.to_node(*base, node));
             sum = [sum[0] + x, sum[1] + z];
+        }
+        for (fluid, phase) in self.fluids.iter().zip(&phases.fluids) {
+            fluid.add(fluid.node_phase(*phase, node), &mut sum);
         }
         sum
     }
@@ -179,20 +202,25 @@ impl WindField {
             let [x, z] = print.velocity(&self.images, print.to_local(*base, local));
             sum = [sum[0] + x, sum[1] + z];
         }
+        for (fluid, phase) in self.fluids.iter().zip(&phases.fluids) {
+            fluid.add(fluid.local_phase(*phase, local), &mut sum);
+        }
         sum
     }
 
-    /// A speed \[m/s\] seldom exceeded: the mean and two standard deviations of the gusts. Grass that this wind does not
+    /// A speed \[m/s\] seldom exceeded: the mean and two standard deviations of the gusts and eddies. Grass that this wind does not
     /// stir may sleep.
     pub fn gust_speed(&self) -> f32 {
         let squares: f32 = self.octaves.iter().map(|octave| octave.amplitude * octave.amplitude).sum();
         let mean = (self.mean[0] * self.mean[0] + self.mean[1] * self.mean[1]).sqrt();
-        mean + 2.0 * TILE_DEVIATION * squares.sqrt()
+        let gusts = 2.0 * TILE_DEVIATION * squares.sqrt();
+        let eddies: f32 = self.fluids.iter().map(|fluid| fluid.speed * fluid.speed).sum();
+        mean + if eddies > 0.0 { (gusts * gusts + eddies).sqrt() } else { gusts }
     }
 
     /// Whether the wind is not the same everywhere.
     pub fn varies(&self) -> bool {
-        !self.octaves.is_empty() || !self.footprints.is_empty()
+        !self.octaves.is_empty() || !self.footprints.is_empty() || !self.fluids.is_empty()
     }
 
     /// The field as the GPU reads it, for patches with `intervals` node intervals along a side.
@@ -203,7 +231,19 @@ impl WindField {
         let mut footprints = [Footprint::default(); MAX_FOOTPRINTS];
         let prints = self.footprints.len().min(MAX_FOOTPRINTS);
         footprints[..prints].copy_from_slice(&self.footprints[..prints]);
-        WindBlock { mean: self.mean, count: count as u32, intervals, octaves, footprint_count: prints as u32, unused: [0; 3], footprints }
+        let mut fluids = [FluidBlock::default(); MAX_FLUIDS];
+        fluids.iter_mut().zip(&self.fluids).for_each(|(block, fluid)| *block = fluid.block);
+        WindBlock {
+            mean: self.mean,
+            count: count as u32,
+            intervals,
+            octaves,
+            footprint_count: prints as u32,
+            fluid_count: self.fluids.len().min(MAX_FLUIDS) as u32,
+            unused: [0; 2],
+            footprints,
+            fluids,
+        }
     }
 }
 

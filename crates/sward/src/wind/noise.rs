@@ -118,12 +118,12 @@ impl Octave {
 }
 
 /// A number of tiles without its whole part, times 2⁶⁴ (wrapping).
-fn fixed(tiles: f64) -> u64 {
+pub(super) fn fixed(tiles: f64) -> u64 {
     ((tiles - tiles.round()) * 18446744073709551616.0) as i64 as u64
 }
 
 /// A phase of 2⁶⁴ per tile as one of 2³² per tile, to the nearest.
-fn short(phase: u64) -> u32 {
+pub(super) fn short(phase: u64) -> u32 {
     (phase.wrapping_add(1 << 31) >> 32) as u32
 }
 

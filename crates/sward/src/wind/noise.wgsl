@@ -1,15 +1,6 @@
 // Gusts: octaves of noise that travel with the wind; twin of wind/noise.rs and wind/tile.rs.
-// The host declares where the tile is: fn wind_tile_load(index: u32) -> vec2<f32>, index = row * 64 + column,
-// and adds the octaves up, for example over a `var<uniform> wind: WindBlock`:
-//
-//     var velocity = wind.mean;
-//     for (var i = 0u; i < wind.count; i += 1u) {
-//         let octave = wind.octaves[i];
-//         let base = wind_patch_phase(octave, patch_index, wind.intervals);
-//         velocity += octave.amplitude * wind_sample(wind_node_phase(octave, base, node));
-//     }
-//
-// and the footprints likewise (footprint.wgsl).
+// The host declares where the tile is: fn wind_tile_load(index: u32) -> vec2<f32>, index = row * 64 + column.
+// The sum of all sources is sum.wgsl.
 
 struct WindOctave {
     step_x: vec2<u32>,      // tile phase per node along +x; 2^32 is one tile
@@ -27,10 +18,11 @@ struct WindBlock {
     intervals: u32,  // node intervals along a side of a patch
     octaves: array<WindOctave, 8>,
     footprint_count: u32,
+    fluid_count: u32,
     unused_a: u32,
     unused_b: u32,
-    unused_c: u32,
     footprints: array<WindFootprint, 8>,
+    fluids: array<WindFluid, 2>,
 }
 
 // The phase at a node, counted from where the phase `base` belongs.

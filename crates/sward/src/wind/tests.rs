@@ -199,10 +199,11 @@ fn the_twins_are_valid_and_lay_out_structs_alike() {
         offset_of!(WindBlock, intervals),
         offset_of!(WindBlock, octaves),
         offset_of!(WindBlock, footprint_count),
+        offset_of!(WindBlock, fluid_count),
         offset_of!(WindBlock, unused),
         offset_of!(WindBlock, unused) + 4,
-        offset_of!(WindBlock, unused) + 8,
         offset_of!(WindBlock, footprints),
+        offset_of!(WindBlock, fluids),
         size_of::<WindBlock>(),
     ];
     assert_eq!(offsets("WindBlock"), block);

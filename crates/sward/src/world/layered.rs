@@ -35,7 +35,7 @@ impl World {
     pub(super) fn empty_layered(&self, stand: &LayeredStand) -> LayeredState {
         let model = &stand.harmonic;
         let mut waves = Waves::new(model.cells as usize);
-        let wind = model.wind(0, self.model.dt);
+        let wind = self.plane_wind(stand);
         waves.now = air(model, &wind).into_iter().map(|air| air.map(|part| model.coefficients.gain * part)).collect();
         waves.old = waves.now.clone();
         LayeredState {
@@ -45,6 +45,11 @@ impl World {
             pool: SheetPool::new(self.scene.budget.touched_plants),
             ..LayeredState::default()
         }
+    }
+
+    /// The wind of the coming step on the plane of a stand.
+    fn plane_wind(&self, stand: &LayeredStand) -> WindField {
+        stand.harmonic.wind(self.state.step, self.model.dt, self.model.fluids.iter().zip(&self.state.fluids))
     }
 
     /// Plants of a patch.
@@ -123,7 +128,7 @@ impl World {
         let reached = self.reached(index, solids);
         let fresh = self.share_planes(index, &reached);
         let (stand, state) = (&self.model.layered[index], &self.state.layered[index]);
-        let mut plan = LayeredPlan { wind: stand.harmonic.wind(self.state.step, self.model.dt), touched: Vec::new(), brushes: Vec::new() };
+        let mut plan = LayeredPlan { wind: self.plane_wind(stand), touched: Vec::new(), brushes: Vec::new() };
         let nothing = Reached::default();
         for (key, slot) in state.pool.taken() {
             let reached = reached.get(&key).unwrap_or(&nothing);

@@ -108,7 +108,8 @@ impl World {
         let corner = patch.map(|along| f64::from(along) * self.model.patch_side);
         let place = |at: [f32; 3]| [f64::from(at[0]) + corner[0], f64::from(at[1]), f64::from(at[2]) + corner[1]];
         let foot = place(root.at);
-        let touches = if state.sheets.pool.place((patch, cell)).is_some() {
+        // Where air flows the pose in it is not known here: a GPU may hold it.
+        let touches = if state.sheets.pool.place((patch, cell)).is_some() || !wind.fluids.is_empty() {
             let far = f64::from(root.length) + 0.5 * f64::from(model.width);
             let own = [foot.map(|part| part - far), foot.map(|part| part + far)];
             boxes.each.iter().any(|piece| overlap(piece, &own, MARGIN))

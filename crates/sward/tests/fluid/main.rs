@@ -2,6 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod scenes;
 
 use common::Dice;
 use sward::wind::fluid::{Drag, Fft, Fluid, FluidModel, Gust, Real, Spectrum, divergence};
@@ -76,7 +77,11 @@ fn a_body_drags_a_wake() {
     let mut air = Fluid::new(&model);
     for step in 0..90 {
         let x = 4.0 + 8.0 * step as f32 / 60.0;
-        air.step(&model, &[], &[Drag { at: [x, 16.0], half: [2.0, 1.2], velocity: [8.0, 0.0], leaves: 0.1 }]);
+        air.step(
+            &model,
+            &[],
+            &[Drag { at: [x, 16.0], half: [2.0, 1.2], velocity: [8.0, 0.0], turn: [1.0, 0.0], leaves: 0.1, unused: [0.0; 3] }],
+        );
     }
     let at = |x: f32, y: f32| air.flow[(y / 0.5) as usize * 64 + (x / 0.5) as usize];
     let (inside, behind, aside) = (at(15.9, 16.0)[0], at(11.5, 16.0)[0], at(15.9, 20.0)[0]);
@@ -96,6 +101,7 @@ fn it_never_blows_up() {
                 at: [chance(-9.0, 99.0), chance(-9.0, 99.0)],
                 radius: chance(0.01, 9.0),
                 change: [chance(-50.0, 50.0), chance(-50.0, 50.0)],
+                unused: [0.0; 3],
             };
             air.step(&model, &[gust], &[]);
         }

@@ -11,6 +11,7 @@ mod edits;
 mod far;
 mod finite;
 mod flips;
+mod fluids;
 mod footprints;
 mod growth;
 mod halved;

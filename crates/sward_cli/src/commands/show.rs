@@ -300,6 +300,17 @@ fn wind(source: &WindSource) -> String {
             let place = wind.follow.as_ref().map_or(String::new(), |name| format!(" with `{name}`"));
             format!("{flow}{place}, {} m/s within {} m, gone from {} m up", wind.speed, wind.radius, wind.ceiling)
         }
+        WindSource::Fluid(wind) => {
+            let (gusts, cell) = (wind.gusts.len(), 1e2 * wind.side / wind.cells as f32);
+            let bodies = if wind.bodies { ", wakes of bodies" } else { "" };
+            format!(
+                "flowing, {}, {gusts} gusts{bodies}; {} m wide, {} x {} cells of {cell:.0} cm",
+                speed(wind.velocity),
+                wind.side,
+                wind.cells,
+                wind.cells
+            )
+        }
         WindSource::Natural(wind) => format!("gusty, {} and {:.0} % turbulence", speed(wind.velocity), 100.0 * wind.turbulence),
     }
 }

@@ -10,7 +10,7 @@ const FIELDS: &[Mistake] = &[
     ("(version: 1,\n  satnds: [])", "2:3", &["no field `satnds`", "did you mean `stands`?"]),
     ("(version: 1, stands: [(\n species: Meadow, cels: 64)])", "2:19", &["no field `cels`", "did you mean `cells`?"]),
     ("(version: 1, stands: [(species: Medow)])", "1:33", &["`Medow` is not known", "did you mean `Meadow`?"]),
-    ("(version: 1, wind: [Gusty()])", "1:21", &["`Gusty` is not known as `WindSource`", "known: Uniform, Natural, Footprint"]),
+    ("(version: 1, wind: [Gusty()])", "1:21", &["`Gusty` is not known as `WindSource`", "known: Uniform, Natural, Footprint, Fluid"]),
     ("(version: 1, stands: [()])", "1:24", &["`species` is missing", "add `species: …`"]),
     ("(version: 1, stands: [(species: Lawn)]", "1:39", &["expected comma", "a comma or `)` is missing"]),
 ];
@@ -18,6 +18,7 @@ const FIELDS: &[Mistake] = &[
 const NUMBERS: &[Mistake] = &[
     ("(version: 1, light: (\n fog: NaN))", "2:7", &["`fog` is NaN 1/m", "allowed 0 to 1"]),
     ("(version: 1, wind: [Uniform(velocity: (inf, 0))])", "1:46", &["`velocity` is inf m/s", "allowed -60 to 60"]),
+    ("(version: 1, wind: [Fluid(cells: 100)])", "1:34", &["`cells` is 100", "allowed are powers of two", "64 or 128"]),
     ("(version: 1, field: (patch_side: 1e9))", "1:34", &["`patch_side`", "allowed 8 to 64"]),
     ("(version: 1, stands: [(species: Lawn, cells: 4096)])", "1:46", &["`cells` is 4096", "allowed"]),
     ("(version: 1, budget: (patches: 4000000000))", "1:32", &["`patches` is 4000000000", "allowed"]),

@@ -8,6 +8,7 @@ use sward::response::oscillation;
 use sward::state::{NONE, TILE};
 
 use super::Work;
+use super::air::AirTexels;
 use super::buffers::CellBuffers;
 use super::passes::{Groups, Pass};
 use crate::gpu::Gpu;
@@ -122,7 +123,7 @@ pub fn assembled() -> String {
     parts.push(sward::interaction::solid::WGSL);
     parts.extend(chain::HELD_WGSL);
     parts.push(&constants);
-    parts.extend([CHAIN_STAND_WGSL, include_str!("blades.wgsl")]);
+    parts.extend([CHAIN_STAND_WGSL, include_str!("blades.wgsl"), sward::wind::TILED_SUM_WGSL]);
     parts.join("\n")
 }
 
@@ -135,8 +136,8 @@ pub struct BladePasses {
 }
 
 impl BladePasses {
-    /// Builds the pipelines; `wind_texels` as of [`sward::model::Model::wind_texels`].
-    pub fn new(gpu: &Gpu, wind_texels: &[[f32; 2]]) -> Self {
+    /// Builds the pipelines; wind is read from `air`.
+    pub fn new(gpu: &Gpu, air: &AirTexels) -> Self {
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("blades"),
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
@@ -145,7 +146,7 @@ impl BladePasses {
             virtual_blades: Pass::plain(gpu, &module, "virtual_pass", &[0, 1, 2, 3, 4, 5, 8, 11, 14]),
             busy: Pass::plain(gpu, &module, "busy_pass", &[0, 2, 6, 7, 10, 11]),
             blades: Pass::plain(gpu, &module, "blades_pass", &[0, 1, 2, 3, 4, 6, 7, 8, 10, 11, 14]),
-            tile: gpu.filled("wind tile", bytemuck::cast_slice(wind_texels), wgpu::BufferUsages::STORAGE),
+            tile: air.buffer.clone(),
         }
     }
 

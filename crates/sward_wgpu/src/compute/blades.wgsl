@@ -68,21 +68,7 @@ fn push_solid(index: u32) -> SolidHead {
 
 /// The air at a place of the patch at hand.
 fn air_at(local: vec2<f32>) -> vec2<f32> {
-    var velocity = wind.mean;
-    for (var k = 0u; k < wind.count; k++) {
-        var octave = wind.octaves[k];
-        if (entry.flags & 2u) != 0u {
-            octave = tile_wind.octaves[k];
-        }
-        let base = wind_patch_phase(octave, entry.patch_index, wind.intervals);
-        velocity += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
-    }
-    for (var k = 0u; k < wind.footprint_count; k++) {
-        let print = wind.footprints[k];
-        let base = wind_footprint_base(print, entry.patch_index, wind.intervals);
-        velocity += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
-    }
-    return velocity;
+    return wind_at(entry.patch_index, local, (entry.flags & 2u) != 0u);
 }
 
 fn held_wind(root: Root) -> vec2<f32> {

@@ -3,10 +3,13 @@
 //! Planning (bodies, wind phases, activation) stays on the CPU; the response runs as compute passes. What activation needs to know
 //! of a step comes back [`sward::activation::LATENCY`] steps later, so nothing waits for the GPU within a step.
 
+pub mod air;
 pub mod blades;
 pub mod buffers;
 pub mod distance_maps;
 pub mod entries;
+pub mod fluid;
+pub mod layers;
 pub mod passes;
 pub mod readback;
 pub mod sheets;
@@ -23,9 +26,12 @@ use sward::world::World;
 
 use crate::gpu::{Gpu, GpuError};
 use crate::stopwatch::Stopwatch;
+use air::AirTexels;
 use blades::{BladePasses, SUMMARY_WORDS};
 use buffers::CellBuffers;
 use entries::{Entries, StandUniform};
+use fluid::FluidPasses;
+use layers::{LayerPasses, LayeredBuffers};
 use passes::{Passes, StepBuffers};
 use readback::Readback;
 use sheets::SheetPasses;
@@ -76,6 +82,12 @@ pub struct GpuStep {
     swings: Option<SwingPasses>,
     /// Where bodies deform billboards.
     sheets: Option<SheetPasses>,
+    /// Where air flows.
+    fluids: Option<FluidPasses>,
+    /// Where meshes sway.
+    layers: Option<LayerPasses>,
+    layered: Vec<LayeredBuffers>,
+    air: AirTexels,
     stands: Vec<CellBuffers>,
     pending: VecDeque<Pending>,
     /// Counters since the start.
@@ -94,11 +106,16 @@ impl GpuStep {
         let by_blade = world.model.stands.iter().any(|stand| stand.chain.is_some());
         let deformed = world.model.stands.iter().any(|stand| stand.springs.is_some());
         let swinging = world.model.stands.iter().any(|stand| stand.oscillator.is_some());
+        let air = AirTexels::new(gpu, world);
         let mut step = Self {
-            passes: Passes::new(gpu, &world.model.wind_texels(), precision),
-            blades: by_blade.then(|| BladePasses::new(gpu, &world.model.wind_texels())),
-            swings: swinging.then(|| SwingPasses::new(gpu, &world.model.wind_texels())),
-            sheets: deformed.then(|| SheetPasses::new(gpu, world)),
+            passes: Passes::new(gpu, &air, precision),
+            blades: by_blade.then(|| BladePasses::new(gpu, &air)),
+            swings: swinging.then(|| SwingPasses::new(gpu, &air)),
+            sheets: deformed.then(|| SheetPasses::new(gpu, world, &air)),
+            fluids: (!world.model.fluids.is_empty()).then(|| FluidPasses::new(gpu, &world.model.fluids)),
+            layers: (!world.model.layered.is_empty()).then(|| LayerPasses::new(gpu)),
+            layered: world.state.layered.iter().map(|state| LayeredBuffers::new(gpu, state)).collect(),
+            air,
             stands: Vec::new(),
             pending: VecDeque::new(),
             work: Work::default(),
@@ -113,6 +130,16 @@ impl GpuStep {
         }
         gpu.check()?;
         Ok(step)
+    }
+
+    /// What the wind is read from, for drawing.
+    pub fn air(&self) -> &AirTexels {
+        &self.air
+    }
+
+    /// The waves of stands of meshes, for drawing.
+    pub fn layered(&self) -> impl Iterator<Item = &LayeredBuffers> {
+        self.layered.iter()
     }
 
     /// The cells of a stand, for drawing.
@@ -137,6 +164,16 @@ impl GpuStep {
         for (index, stand) in plan.stands.iter().enumerate() {
             self.respond(gpu, world, index, stand, plan.step, &mut encoder, &mut stands)?;
         }
+        if let Some(passes) = &self.layers {
+            for ((stand, own), buffers) in world.model.layered.iter().zip(&plan.layered).zip(&mut self.layered) {
+                let (plan, watch) = ((own, plan.step), self.stopwatch.as_mut());
+                passes.record(gpu, &mut encoder, &stand.harmonic, plan, &self.air, buffers, &mut self.work, watch);
+            }
+        }
+        if let Some(passes) = &self.fluids {
+            let (fluids, plans) = (&world.model.fluids, (&plan.fluids[..], plan.step));
+            passes.record(gpu, &mut encoder, fluids, plans, &self.air, &mut self.work, self.stopwatch.as_mut());
+        }
         if let Some(stopwatch) = &self.stopwatch {
             stopwatch.resolve(&mut encoder);
         }
@@ -154,14 +191,18 @@ impl GpuStep {
         self.collect(gpu, world, 0)
     }
 
-    /// Copies all awake cells and upper segments into `world.state`, as if the CPU had stepped.
+    /// Copies all awake cells and upper segments, and the air that flows, into `world.state`, as if the CPU had stepped.
     ///
     /// # Errors
     /// What the device reports.
     pub fn download(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
         gpu.check()?;
         self.collect(gpu, world, 0)?;
+        self.air.download(gpu, world)?;
         let World { model, state, .. } = world;
+        for ((buffers, stand), state) in self.layered.iter().zip(&model.layered).zip(&mut state.layered) {
+            buffers.download(gpu, &stand.harmonic, state)?;
+        }
         for ((buffers, stand), state) in self.stands.iter().zip(&model.stands).zip(&mut state.stands) {
             // Who has which sheet the plan decides: those places never left.
             if stand.springs.is_some() {

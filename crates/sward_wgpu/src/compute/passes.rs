@@ -5,6 +5,7 @@ use sward::response::StandModel;
 use sward::scene::Precision;
 
 use super::Work;
+use super::air::AirTexels;
 use super::blades::SUMMARY_WORDS;
 use super::buffers::CellBuffers;
 use super::entries::{AwakePatch, Entries, StandUniform};
@@ -13,10 +14,11 @@ use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
 
 /// Files of the compute shader, after the libraries.
-const PARTS: [&str; 5] = [
+const PARTS: [&str; 6] = [
     sward::response::continuum::HALF_WGSL,
     super::CELLS_WGSL,
     include_str!("stand.wgsl"),
+    sward::wind::TILED_SUM_WGSL,
     include_str!("step.wgsl"),
     include_str!("lags.wgsl"),
 ];
@@ -141,13 +143,12 @@ pub struct Passes {
 }
 
 impl Passes {
-    /// Builds the pipelines for cells of some precision; `wind_texels` as of [`sward::model::Model::wind_texels`].
-    pub fn new(gpu: &Gpu, wind_texels: &[[f32; 2]], precision: &Precision) -> Self {
+    /// Builds the pipelines for cells of some precision; wind is read from `air`.
+    pub fn new(gpu: &Gpu, air: &AirTexels, precision: &Precision) -> Self {
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("step"),
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
         });
-        let tile = gpu.filled("wind tile", bytemuck::cast_slice(wind_texels), wgpu::BufferUsages::STORAGE);
         let half = *precision == Precision::Half;
         let pass = |entry, bindings| Pass::new(gpu, &module, entry, Switches { last_substep: true, half }, bindings);
         let wave_bindings = &[0, 2, 3, 4, 5, 6, 7, 11];
@@ -158,7 +159,7 @@ impl Passes {
             wave: Pass::new(gpu, &module, "wave_pass", Switches { last_substep: false, half }, wave_bindings),
             last_wave: pass("wave_pass", wave_bindings),
             lag: pass("lag_pass", &[0, 2, 3, 12, 13]),
-            tile,
+            tile: air.buffer.clone(),
         }
     }
 

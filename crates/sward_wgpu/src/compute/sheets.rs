@@ -11,6 +11,7 @@ use sward::response::springs::{self, MOST_MOMENTS, SheetRoot, SpringsCoefficient
 use sward::world::World;
 
 use super::Work;
+use super::air::AirTexels;
 use super::buffers::CellBuffers;
 use super::distance_maps::{DistanceMapPasses, MapInput};
 use super::passes::{Groups, Pass};
@@ -86,7 +87,7 @@ pub struct SheetEntry {
 pub fn assembled() -> String {
     let mut parts = vec![sward::math::WGSL, sward::wind::WGSL, distance_map::WGSL];
     parts.extend(springs::WGSL.iter().chain(&springs::STEP_WGSL));
-    parts.extend([SHEET_WORDS_WGSL, include_str!("sheets.wgsl")]);
+    parts.extend([SHEET_WORDS_WGSL, include_str!("sheets.wgsl"), sward::wind::SUM_WGSL]);
     parts.join("\n")
 }
 
@@ -101,8 +102,9 @@ pub struct SheetPasses {
 }
 
 impl SheetPasses {
-    /// Builds the pipelines and uploads the maps of bodies: of those that play no clip they stay.
-    pub fn new(gpu: &Gpu, world: &World) -> Self {
+    /// Builds the pipelines and uploads the maps of bodies: of those that play no clip they stay. Wind is read
+    /// from `air`.
+    pub fn new(gpu: &Gpu, world: &World, air: &AirTexels) -> Self {
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("sheets"),
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
@@ -113,7 +115,7 @@ impl SheetPasses {
             touch: Pass::plain(gpu, &module, "sheet_touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8]),
             resolve: Pass::plain(gpu, &module, "sheet_resolve_pass", &[0, 2, 3, 4, 5, 6]),
             maps: world.model.bodies.iter().any(|body| body.is_animated()).then(|| DistanceMapPasses::new(gpu)),
-            tile: gpu.filled("wind tile", bytemuck::cast_slice(&world.model.wind_texels()), storage),
+            tile: air.buffer.clone(),
             texels: gpu.filled("maps of bodies", bytemuck::cast_slice(texels), storage),
         }
     }

@@ -68,18 +68,7 @@ fn outcome_word() -> u32 {
 
 // Tilt in the wind at a place of a patch.
 fn tilt_at(patch_: vec2<i32>, local: vec2<f32>) -> vec2<f32> {
-    var velocity = wind.mean;
-    for (var k = 0u; k < wind.count; k++) {
-        let octave = wind.octaves[k];
-        let base = wind_patch_phase(octave, patch_, wind.intervals);
-        velocity += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
-    }
-    for (var k = 0u; k < wind.footprint_count; k++) {
-        let print = wind.footprints[k];
-        let base = wind_footprint_base(print, patch_, wind.intervals);
-        velocity += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
-    }
-    return wind_equilibrium(velocity, stand.wind);
+    return wind_equilibrium(wind_at(patch_, local, false), stand.wind);
 }
 
 // Makes the stored sheet of an entry, as it is kept from step to step, that of its room; returns the steps since its last contact.

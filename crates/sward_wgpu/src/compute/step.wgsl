@@ -8,20 +8,7 @@ fn rest_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     let entry = patches[id.z];
-    var velocity = wind.mean;
-    for (var k = 0u; k < wind.count; k++) {
-        var octave = wind.octaves[k];
-        if (entry.flags & 2u) != 0u {
-            octave = tile_wind.octaves[k];
-        }
-        let base = wind_patch_phase(octave, entry.patch_index, wind.intervals);
-        velocity += octave.amplitude * wind_sample(wind_node_phase(octave, base, vec2<i32>(id.xy) - vec2<i32>(1)));
-    }
-    for (var k = 0u; k < wind.footprint_count; k++) {
-        let print = wind.footprints[k];
-        let base = wind_footprint_base(print, entry.patch_index, wind.intervals);
-        velocity += wind_footprint_velocity(print, wind_footprint_to_node(print, base, vec2<i32>(id.xy) - vec2<i32>(1)));
-    }
+    let velocity = wind_at_node(entry.patch_index, vec2<i32>(id.xy) - vec2<i32>(1), (entry.flags & 2u) != 0u);
     nodes[entry.slot * stand.nodes * stand.nodes + id.y * stand.nodes + id.x] = wind_equilibrium(velocity, stand.wind_response);
 }
 

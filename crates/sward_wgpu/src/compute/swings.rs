@@ -10,6 +10,7 @@ use sward::state::TILE;
 use sward::terrain::Terrain;
 
 use super::Work;
+use super::air::AirTexels;
 use super::blades::SUMMARY_WORDS;
 use super::buffers::CellBuffers;
 use super::passes::{Groups, Pass};
@@ -107,7 +108,7 @@ pub fn assembled() -> String {
     let words = format!("const SUMMARY_WORDS: u32 = {SUMMARY_WORDS}u;");
     let mut parts = vec![sward::math::WGSL, sward::wind::WGSL, sward::placement::WGSL, sward::interaction::WGSL, oscillation::WGSL];
     parts.extend(oscillator::WGSL);
-    parts.extend([&words, include_str!("swings.wgsl")]);
+    parts.extend([&words, include_str!("swings.wgsl"), sward::wind::TILED_SUM_WGSL]);
     parts.join("\n")
 }
 
@@ -133,8 +134,8 @@ fn words(plan: &StandPlan, blocks: &Blocks) -> Vec<u8> {
 }
 
 impl SwingPasses {
-    /// Builds the pipelines; `wind_texels` as of [`sward::model::Model::wind_texels`].
-    pub fn new(gpu: &Gpu, wind_texels: &[[f32; 2]]) -> Self {
+    /// Builds the pipelines; wind is read from `air`.
+    pub fn new(gpu: &Gpu, air: &AirTexels) -> Self {
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("swings"),
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
@@ -143,7 +144,7 @@ impl SwingPasses {
             air: Pass::plain(gpu, &module, "air_pass", &[0, 1, 2, 4, 8, 11, 14]),
             fade: Pass::plain(gpu, &module, "fade_pass", &[0, 2, 3]),
             touch: Pass::plain(gpu, &module, "touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 14]),
-            tile: gpu.filled("wind tile", bytemuck::cast_slice(wind_texels), wgpu::BufferUsages::STORAGE),
+            tile: air.buffer.clone(),
         }
     }
 

@@ -56,23 +56,9 @@ fn contact_edge(index: u32) -> ContactEdge {
     return ContactEdge(a.xy, a.zw, bitcast<vec2<f32>>(b.xy), bitcast<f32>(b.z), 0.0);
 }
 
-/// Velocity of the air at a place of a patch.
-fn velocity_at(entry: SwingPatch, local: vec2<f32>) -> vec2<f32> {
-    var velocity = wind.mean;
-    for (var k = 0u; k < wind.count; k++) {
-        var octave = wind.octaves[k];
-        if (entry.flags & 2u) != 0u {
-            octave = tile_wind.octaves[k];
-        }
-        let base = wind_patch_phase(octave, entry.patch_index, wind.intervals);
-        velocity += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
-    }
-    for (var k = 0u; k < wind.footprint_count; k++) {
-        let print = wind.footprints[k];
-        let base = wind_footprint_base(print, entry.patch_index, wind.intervals);
-        velocity += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
-    }
-    return velocity;
+/// Tilt in the moment's wind at a place of a patch.
+fn tilt_at(entry: SwingPatch, local: vec2<f32>) -> vec2<f32> {
+    return wind_equilibrium(wind_at(entry.patch_index, local, (entry.flags & 2u) != 0u), stand.coefficients.wind);
 }
 
 var<workgroup> peak: atomic<u32>;
@@ -85,7 +71,7 @@ fn air_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocat
     let area = co.texels * co.texels;
     let first = entry.slot * 4u * area + id.y * co.texels + id.x;
     let place = (vec2<f32>(id.xy) + 0.5) * (stand.patch_side / f32(co.texels));
-    let goal = wind_equilibrium(velocity_at(entry, place), co.wind);
+    let goal = tilt_at(entry, place);
     var before = vec2<f32>(texels[first], texels[first + area]);
     if (entry.flags & 1u) != 0u {
         before = goal;
@@ -196,7 +182,7 @@ fn touch_pass(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) 
     let air = Air(entry.around, entry.weights, stand.patch_side);
     var still = vec2<f32>(0.0);
     if air_asks(co, air) {
-        still = wind_equilibrium(velocity_at(entry, plant.root), co.wind);
+        still = tilt_at(entry, plant.root);
     }
     let own = swing_own(co, placement_variety(stand.placement, entry.patch_index, index), plant.height);
     let touched = TouchPlant(own, load_record(first), air_at(co, air, plant.root, 0.0, still));

@@ -94,19 +94,3 @@ struct Who {
     curl: f32,          // how much more at the tip, rad
     plant: vec2<f32>,   // how its plant leans by itself, rad along x and z
 }
-
-/// Velocity of the air at a place of a patch.
-fn air_at_plant(draw: PatchDraw, local: vec2<f32>) -> vec2<f32> {
-    var velocity = wind.mean;
-    for (var k = 0u; k < wind.count; k++) {
-        let octave = wind.octaves[k];
-        let base = wind_patch_phase(octave, draw.patch_index, wind.intervals);
-        velocity += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
-    }
-    for (var k = 0u; k < wind.footprint_count; k++) {
-        let print = wind.footprints[k];
-        let base = wind_footprint_base(print, draw.patch_index, wind.intervals);
-        velocity += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
-    }
-    return velocity;
-}

@@ -22,7 +22,7 @@ fn virtual_pose(draw: PatchDraw, who: Who, base: mat3x3<f32>) -> array<vec2<f32>
     let standing = Standing(draw.slots, draw.weights, chain.patch_side, chain.virtual_side);
     var steady = array<vec2<f32>, 8>();
     if standing_needs_wind(standing) {
-        steady = steady_at(air_at_plant(draw, who.local)).moments;
+        steady = steady_at(wind_at(draw.patch_index, who.local, false)).moments;
     }
     var moments = standing_moments(standing, n, false, who.local, steady);
     if prepare.behind > 0.0 {

@@ -3,7 +3,7 @@
 @group(0) @binding(4) var<storage, read> upper: array<f32>;
 
 fn rest_at_plant(draw: PatchDraw, local: vec2<f32>) -> vec2<f32> {
-    return wind_equilibrium(air_at_plant(draw, local), prepare.wind_response);
+    return wind_equilibrium(wind_at(draw.patch_index, local, false), prepare.wind_response);
 }
 
 /// Which of the nine patches around (and including) this one holds a cell, and the cell in it.

@@ -14,6 +14,7 @@ use sward::world::World;
 use super::height_samples::HeightSamples;
 use super::prepare_pipelines::Pipelines;
 pub use super::prepare_pipelines::{Solved, assembled};
+use crate::compute::air::AirTexels;
 use crate::compute::blades::CHAIN_STAND_WGSL;
 use crate::compute::buffers::{CellBuffers, Numbers};
 use crate::compute::sheets::SHEET_WORDS_WGSL;
@@ -61,21 +62,21 @@ impl Bending {
 
     /// What it needs after the texts of cells and wind: [`bends.wgsl`](self) and its own.
     pub(crate) fn parts(self) -> Vec<&'static str> {
-        let common = include_str!("bends.wgsl");
+        let (common, sum) = (include_str!("bends.wgsl"), sward::wind::SUM_WGSL);
         match self {
-            Self::Continuum => vec![common, include_str!("continuum_bends.wgsl")],
+            Self::Continuum => vec![common, sum, include_str!("continuum_bends.wgsl")],
             Self::Sheet => {
                 let [vector, sheet, lengths, recover, wind, _] = springs::WGSL;
-                vec![vector, sheet, lengths, recover, wind, SHEET_WORDS_WGSL, common, include_str!("sheet_bends.wgsl")]
+                vec![vector, sheet, lengths, recover, wind, SHEET_WORDS_WGSL, common, sum, include_str!("sheet_bends.wgsl")]
             }
             Self::Swing => {
                 let [swing, air] = oscillator::POSE_WGSL;
-                vec![oscillation::WGSL, swing, air, common, include_str!("swing_bends.wgsl")]
+                vec![oscillation::WGSL, swing, air, common, sum, include_str!("swing_bends.wgsl")]
             }
             Self::Chain => {
                 let [one, two] = chain::WGSL;
                 let [steady, standing] = chain::STANDING_WGSL;
-                vec![oscillation::WGSL, one, two, steady, standing, CHAIN_STAND_WGSL, common, include_str!("chain_bends.wgsl")]
+                vec![oscillation::WGSL, one, two, steady, standing, CHAIN_STAND_WGSL, common, sum, include_str!("chain_bends.wgsl")]
             }
         }
     }
@@ -84,8 +85,8 @@ impl Bending {
 /// What all passes that solve plants read.
 pub struct Shared {
     heights: HeightSamples,
-    /// The noise of the wind.
-    pub tile: wgpu::Buffer,
+    /// What the wind is read from.
+    pub air: AirTexels,
 }
 
 impl Shared {
@@ -145,7 +146,7 @@ impl PreparePass {
             sheets: has_sheets.then(|| Pipelines::new(gpu, world, Solved::Sheets)),
             shared: Shared {
                 heights: HeightSamples::new(gpu, world.model.terrain.heights(), world.model.terrain.edits()),
-                tile: gpu.filled("wind tile", bytemuck::cast_slice(&world.model.wind_texels()), wgpu::BufferUsages::STORAGE),
+                air: AirTexels::new(gpu, world),
             },
         }
     }
@@ -172,11 +173,12 @@ impl PreparePass {
         stopwatch: Option<&mut Stopwatch>,
     ) {
         let uniform = PrepareUniform::new(world, stand, plain, seen, look);
-        self.record_with(gpu, encoder, &uniform, &world.wind_before(stand, seen.behind), batch, cells, growth, buffers, stopwatch);
+        let wind = (&world.wind_before(stand, seen.behind), &self.shared.air);
+        self.record_with(gpu, encoder, &uniform, wind, batch, cells, growth, buffers, stopwatch);
     }
 
     /// Records the pass for the plants of a batch as they were in the picture before: `batch` is that of [`Past::plan`], `ground` that
-    /// of now, as this pass follows it.
+    /// of now, as this pass follows it. Cells and air are those of then.
     pub fn record_past(
         &self,
         gpu: &Gpu,
@@ -186,12 +188,12 @@ impl PreparePass {
         ground: &Terrain,
         batch: &BatchPlan,
         plain: bool,
-        cells: &CellBuffers,
+        (cells, air): (&CellBuffers, &AirTexels),
         growth: &wgpu::TextureView,
         buffers: &mut BatchBuffers,
     ) {
         let uniform = past.uniform(index, origin, plain, ground);
-        self.record_with(gpu, encoder, &uniform, &past.wind(index), batch, cells, growth, buffers, None);
+        self.record_with(gpu, encoder, &uniform, (&past.wind(index), air), batch, cells, growth, buffers, None);
     }
 
     fn record_with(
@@ -199,7 +201,7 @@ impl PreparePass {
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         uniform: &PrepareUniform,
-        wind: &WindField,
+        (wind, air): (&WindField, &AirTexels),
         batch: &BatchPlan,
         cells: &CellBuffers,
         growth: &wgpu::TextureView,
@@ -218,8 +220,8 @@ impl PreparePass {
         let uniform = made("prepare", bytemuck::bytes_of(uniform), wgpu::BufferUsages::UNIFORM);
         let wind = made("wind", bytemuck::bytes_of(&wind), wgpu::BufferUsages::UNIFORM);
         let draws = made("patches to draw", bytemuck::cast_slice(&batch.draws), wgpu::BufferUsages::STORAGE);
-        let Shared { heights, tile } = &self.shared;
-        let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &heights.buffer, tile, plants, joints, &cells.old];
+        let heights = &self.shared.heights;
+        let bound = [&uniform, &wind, &draws, &cells.now, &cells.upper, &heights.buffer, &air.buffer, plants, joints, &cells.old];
         let mut entries: Vec<wgpu::BindGroupEntry> = bound
             .iter()
             .enumerate()

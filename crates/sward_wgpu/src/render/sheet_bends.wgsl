@@ -37,8 +37,8 @@ fn sheet_place(draw: PatchDraw, who: Who) -> u32 {
 fn sheet_of(draw: PatchDraw, who: Who, root: SheetRoot, sheet: ptr<function, Sheet>) {
     let co = deformed.coefficients;
     let bends = vec4<f32>(
-        wind_equilibrium(air_at_plant(draw, who.local - root.half_width), deformed.wind),
-        wind_equilibrium(air_at_plant(draw, who.local + root.half_width), deformed.wind),
+        wind_equilibrium(wind_at(draw.patch_index, who.local - root.half_width, false), deformed.wind),
+        wind_equilibrium(wind_at(draw.patch_index, who.local + root.half_width, false), deformed.wind),
     );
     let place = sheet_place(draw, who);
     let first = select(place * sheet_words(co), 0u, place == NONE);

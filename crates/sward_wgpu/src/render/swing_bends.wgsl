@@ -21,7 +21,7 @@ fn plant_bends(which: u32, who: Who, bends: ptr<function, array<vec2<f32>, 8>>) 
     let air = Air(draw.slots, draw.weights, swinging.patch_side);
     var still = vec2<f32>(0.0);
     if air_asks(co, air) {
-        still = wind_equilibrium(air_at_plant(draw, who.local), co.wind);
+        still = wind_equilibrium(wind_at(draw.patch_index, who.local, false), co.wind);
     }
     var bend = air_at(co, air, who.local, prepare.behind, still);
     let slot = draw.slots[4];

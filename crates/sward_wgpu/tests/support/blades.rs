@@ -234,7 +234,7 @@ pub(crate) fn room_ends(gpu: &Gpu) -> Verdict {
         let uniform = PrepareUniform::new(&world, stand, false, &seen, &looks[0]);
         let (cells, wind) = (CellBuffers::new(gpu, stand, Precision::Full), world.wind(stand));
         let growth = GrowthMaps::new(gpu, stand);
-        let of = Solving { prepare: uniform, wind: &wind, cells: &cells, growth: &growth.view };
+        let of = Solving { prepare: uniform, wind: &wind, air: &prepare.shared.air, cells: &cells, growth: &growth.view };
         let mut buffers = BladeBuffers::default();
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         pass.record(gpu, &mut encoder, &prepare.shared, &of, plan, &mut buffers, None);

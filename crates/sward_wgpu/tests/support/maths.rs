@@ -1,5 +1,7 @@
 //! Twins of the maths, hashes, wind, terrain, placement, spines and contact.
 
+use std::sync::Arc;
+
 use libtest_mimic::Failed;
 use sward::geometry::billboard;
 use sward::growth::{self, GrowthRecord, cover_at};
@@ -11,6 +13,7 @@ use sward::plan::StandPlan;
 use sward::scene::Scene;
 use sward::scene::{Change, Edit, Raise};
 use sward::terrain::{self, Terrain, TerrainGrid};
+use sward::wind::fluid::{FluidSource, FluidState};
 use sward::wind::{self, Flow, Footprint, Images, Source, Tile, WindField};
 use sward::world::World;
 use sward_wgpu::compare::Tolerance;
@@ -86,8 +89,18 @@ pub(crate) fn wind_nodes_and_places(gpu: &Gpu) -> Verdict {
     for (flow, centre) in prints {
         field.footprints.extend(Footprint::new(flow, &images, centre, [0.8, -0.6], 14.0, 9.0, 32, 0.5));
     }
-    let texels = [Tile::shipped().texels(), images.texels()].concat();
-    field.images = std::sync::Arc::new(images);
+    let mut texels = [Tile::shipped().texels(), images.texels()].concat();
+    field.images = Arc::new(images);
+    // A coarse flow now, a fine one between two steps.
+    for (cells, behind) in [(32_u32, 0.0), (128, 0.3)] {
+        let fluid = sward::scene::Fluid { side: 0.7 * cells as f32, cells, ..Default::default() };
+        let source = FluidSource::new(&fluid, 1.0 / 60.0, texels.len() as u32);
+        let mut chance = || -> Vec<[f32; 2]> { (0..cells * cells).map(|_| [random.drawn(-0.5, 0.5), random.drawn(-0.5, 0.5)]).collect() };
+        let flow = FluidState { now: Arc::new(chance()), before: Arc::new(chance()) };
+        // Which of two places is the present one goes by the number of the step.
+        texels.extend(flow.before.iter().chain(&*flow.now));
+        field.fluids.push(source.field(&flow, 123_456_789, behind, 0.5));
+    }
     let block = field.block(32);
     let rust = |n: u32, input: &mut Vec<u32>| {
         let mut random = Random::new(n);
@@ -110,20 +123,8 @@ pub(crate) fn wind_nodes_and_places(gpu: &Gpu) -> Verdict {
         let patch_index = next_w();
         let node = next_w();
         let local = next_v();
-        var at_node = wind.mean;
-        var between = wind.mean;
-        for (var k = 0u; k < wind.count; k++) {
-            let octave = wind.octaves[k];
-            let base = wind_patch_phase(octave, patch_index, wind.intervals);
-            at_node += octave.amplitude * wind_sample(wind_node_phase(octave, base, node));
-            between += octave.amplitude * wind_sample(wind_local_phase(octave, base, local));
-        }
-        for (var k = 0u; k < wind.footprint_count; k++) {
-            let print = wind.footprints[k];
-            let base = wind_footprint_base(print, patch_index, wind.intervals);
-            at_node += wind_footprint_velocity(print, wind_footprint_to_node(print, base, node));
-            between += wind_footprint_velocity(print, wind_footprint_to_local(print, base, local));
-        }
+        let at_node = wind_at_node(patch_index, node, false);
+        let between = wind_at(patch_index, local, false);
         put_v(at_node);
         put_v(between);
         put_v(wind_equilibrium(at_node, 0.0356));
@@ -131,7 +132,7 @@ pub(crate) fn wind_nodes_and_places(gpu: &Gpu) -> Verdict {
     let tables = &[bytemuck::cast_slice(&texels), bytemuck::bytes_of(&block)];
     // Between nodes a place of 40 m is rounded to 5 µm, over which the finest gust changes by 5e-5 m/s at most.
     let tolerance = Tolerance { p999: 2e-5, rms: 4e-6, outlier: 1e-4, share: 0.0 };
-    Twin { name: "wind", library: &[math::WGSL, wind::WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
+    Twin { name: "wind", library: &[math::WGSL, wind::WGSL, wind::SUM_WGSL], host, tables, rust }.check(gpu, By::Absolute(tolerance))
 }
 
 /// Heights to 10 µm and slopes to 1e-5 on hills of 60 m, mirrored edges included.

@@ -175,6 +175,9 @@ fn blades(state: &StandState, chain: &ChainModel, awake: &Awake, found: &mut [Ve
     }
 }
 
+/// Agreement of air that flows, m/s: rounding that eddies carry on.
+const AIR: Tolerance = Tolerance { p999: 1e-3, rms: 2e-4, outlier: 1e-2, share: 1e-4 };
+
 /// Whether two worlds have the same patches awake for the same reasons, equal counters, and cells that agree. Prints if `loud`.
 pub(crate) fn agree(name: &str, a: &World, b: &World, loud: bool) -> Verdict {
     for (index, (left, right)) in a.state.stands.iter().zip(&b.state.stands).enumerate() {
@@ -205,6 +208,15 @@ pub(crate) fn agree(name: &str, a: &World, b: &World, loud: bool) -> Verdict {
             }
             ensure(deviation.within(&tolerance), || format!("{line} beyond {tolerance:?}"))?;
         }
+    }
+    for (index, (left, right)) in a.state.fluids.iter().zip(&b.state.fluids).enumerate() {
+        let numbers = |flow: &[[f32; 2]]| -> Vec<f32> { flow.iter().flatten().copied().collect() };
+        let deviation = Deviation::of(&numbers(&left.now), &numbers(&right.now), AIR.outlier);
+        let line = line(&format!("{name}, air {index} at step {}", a.state.step), &deviation);
+        if loud {
+            println!("{line}");
+        }
+        ensure(deviation.within(&AIR), || format!("{line} beyond {AIR:?}"))?;
     }
     Ok(())
 }

@@ -145,6 +145,9 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("BILLBOARD_FLAT", Source("geometry/billboard.rs", "FLAT")),
         ("BILLBOARD_CLEARANCE", Value(f64::from(billboard::CLEARANCE))),
         ("WIND_TILE_TEXELS", Value((sward::wind::TILE_SIDE * sward::wind::TILE_SIDE) as f64)),
+        ("FFT_LANES", Alone),
+        ("FLUID_HOLDS", Source("wind/fluid/force.rs", "HOLDS")),
+        ("FLUID_FARTHEST", Source("wind/fluid/advect.rs", "FARTHEST")),
         ("NONE", Value(f64::from(state::NONE))),
     ]
 }
@@ -157,6 +160,8 @@ fn written_out() -> Vec<(&'static str, &'static str, f64)> {
         ("shadows.wgsl", "texel = spread / ", f64::from(shadow::SIDE)),
         ("noise.wgsl", "octaves: array<WindOctave, ", sward::wind::MAX_OCTAVES as f64),
         ("noise.wgsl", "footprints: array<WindFootprint, ", sward::wind::MAX_FOOTPRINTS as f64),
+        ("noise.wgsl", "fluids: array<WindFluid, ", sward::wind::MAX_FLUIDS as f64),
+        ("compute/fluid.wgsl", "room: array<vec2<f32>, ", 2.0 * sward::wind::fluid::MOST_SIDE as f64),
         ("footprint.wgsl", "apart >= vec2<i32>(", 1024.0),
         ("footprint.wgsl", "return vec2<i32>(", f64::from(i32::MAX / 2)),
         ("noise.wgsl", "(texel + 1u) & vec2<u32>(", f64::from(sward::wind::TILE_SIDE as u32 - 1)),

@@ -17,10 +17,12 @@ use sward::shading::blade::BladeStyle;
 use sward::shading::look::{Style, Turf};
 use sward::state::Root;
 use sward::terrain::{TerrainAnchor, TerrainDetail, TerrainGrid};
+use sward::wind::fluid::{Drag, FluidBlock, Gust};
 use sward::wind::{Footprint, Octave, WindBlock};
 use sward_wgpu::compute::blades::{ChainPatch, ChainUniform};
 use sward_wgpu::compute::distance_maps::MapDraw;
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
+use sward_wgpu::compute::fluid::FluidStep;
 use sward_wgpu::compute::sheets::{SheetEntry, SheetStep, SheetUniform};
 use sward_wgpu::compute::swings::{SwingPatch, SwingStep, SwingUniform};
 use sward_wgpu::render::plants::Plant;
@@ -162,7 +164,19 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("LagCoefficients", step(), lag),
         ("WindOctave", step(), octave),
         ("WindFootprint", step(), print),
-        ("WindBlock", step(), layout!(WindBlock { mean, count, intervals, octaves, footprint_count, unused, footprints })),
+        (
+            "WindBlock",
+            step(),
+            layout!(WindBlock { mean, count, intervals, octaves, footprint_count, fluid_count, unused, footprints, fluids }),
+        ),
+        ("WindFluid", step(), layout!(FluidBlock { phase, step, per_metre, now, before, bits, behind })),
+        ("FluidGust", text_of("air that flows"), layout!(Gust { at, change, radius, unused })),
+        ("FluidDrag", text_of("air that flows"), layout!(Drag { at, half, velocity, turn, leaves, unused })),
+        (
+            "FluidStep",
+            text_of("air that flows"),
+            layout!(FluidStep { side, now, next, gusts, drags, cell, width, reach, lasts, fastest, share, unused }),
+        ),
         ("Stand", step(), stand),
         ("AwakePatch", step(), patch),
         ("PlacementParameters", prepare(), parameters),

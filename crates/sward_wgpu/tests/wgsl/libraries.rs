@@ -13,6 +13,9 @@ const GROWTH_STUBS: &str =
     "fn growth_edge(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); } fn growth_texel(index: u32) -> f32 { return f32(index); }";
 const TERRAIN_STUB: &str = "fn terrain_load(index: i32) -> f32 { return f32(index); }";
 const WIND_STUB: &str = "fn wind_tile_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
+const WIND_BLOCKS: &str = "@group(0) @binding(0) var<uniform> wind: WindBlock; @group(0) @binding(1) var<uniform> tile_wind: WindBlock;";
+const FLUID_STUBS: &str = "fn fft_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); } fn fft_store(index: u32, value: vec2<f32>) {} \
+    fn fft_turn(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); } fn fluid_flow(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 const CONTACT_STUB: &str = "fn contact_edge(index: u32) -> ContactEdge { var edge: ContactEdge; return edge; }";
 const SOLID_STUB: &str = "fn solid_plane(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }";
 const DISTANCE_MAP_STUB: &str = "fn distance_map_load(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }";
@@ -38,6 +41,9 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("placement", vec![math::WGSL, placement::WGSL]),
         ("terrain", vec![math::WGSL, TERRAIN_STUB, terrain::WGSL]),
         ("wind", vec![math::WGSL, WIND_STUB, wind::WGSL]),
+        ("sum of the wind", vec![math::WGSL, WIND_STUB, WIND_BLOCKS, wind::WGSL, wind::TILED_SUM_WGSL]),
+        ("sum of the wind, untiled", vec![math::WGSL, WIND_STUB, WIND_BLOCKS, wind::WGSL, wind::SUM_WGSL]),
+        ("fluid", [&[math::WGSL, FLUID_STUBS], &wind::fluid::WGSL[..]].concat()),
         ("contact", vec![math::WGSL, CONTACT_STUB, interaction::WGSL]),
         ("continuum", continuum),
         ("growth", vec![GROWTH_STUBS, growth::WGSL]),
@@ -75,7 +81,13 @@ fn each_library_is_valid_with_its_stubs() {
 /// A library that forgot one of its needs must be noticed.
 #[test]
 fn a_library_without_its_needs_is_refused() {
-    for (name, text) in [("placement", placement::WGSL), ("terrain", terrain::WGSL), ("wind", wind::WGSL), ("contact", interaction::WGSL)] {
+    for (name, text) in [
+        ("placement", placement::WGSL),
+        ("terrain", terrain::WGSL),
+        ("wind", wind::WGSL),
+        ("sum of the wind", wind::SUM_WGSL),
+        ("contact", interaction::WGSL),
+    ] {
         assert!(validate(text).is_err(), "{name} is valid without what it needs");
     }
 }

@@ -21,6 +21,9 @@ mod touch;
 mod view;
 mod warp;
 
+/// Waves in WGSL.
+pub const WGSL: &str = include_str!("harmonic.wgsl");
+
 pub use history::{Moment, REMEMBERED, Ring};
 pub use lag::{drifted, lags};
 pub use crate::state::Waves;

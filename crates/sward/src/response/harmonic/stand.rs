@@ -13,6 +13,7 @@ use crate::growth::Growth;
 use crate::placement::PlacementParameters;
 use crate::scene::{Harmonic, Layered, Layers, Place};
 use crate::specimen::Specimen;
+use crate::wind::fluid::{FluidSource, FluidState};
 use crate::wind::{Source, WindField};
 
 /// The compiled half of the response.
@@ -89,8 +90,9 @@ impl HarmonicModel {
 
     /// The wind on the nodes of the plane, its middle of a cell each, `step` steps after the start: x along the plane's right, z up. It repeats with the
     /// plane.
-    pub fn wind(&self, step: u64, dt: f64) -> WindField {
-        let field = WindField::at(&self.sources, step, dt, f64::from(self.cell));
+    pub fn wind<'a>(&self, step: u64, dt: f64, fluids: impl Iterator<Item = (&'a FluidSource, &'a FluidState)>) -> WindField {
+        let mut field = WindField::at(&self.sources, step, dt, f64::from(self.cell));
+        field.fluids = fluids.map(|(fluid, flow)| fluid.field_on(flow, step, f64::from(self.cell), self.mean)).collect();
         WindField { mean: [self.mean, 0.0], ..field.snapped(self.cells) }
     }
 

@@ -20,7 +20,7 @@ pub(super) fn times<T: Real>([a, b]: Complex<T>, [c, d]: Complex<T>) -> Complex<
 pub struct Fft<T> {
     length: usize,
     /// e^(−2πi k/n) for k below n/2.
-    turns: Vec<Complex<T>>,
+    pub turns: Vec<Complex<T>>,
 }
 
 impl<T: Real> Fft<T> {

@@ -7,14 +7,22 @@
 
 mod advect;
 mod fft;
+mod field;
 mod force;
 mod plane;
 mod project;
 mod real;
+mod source;
 
 pub use advect::advect;
 pub use fft::Fft;
+pub use field::{FluidBlock, FluidField, FluidState};
 pub use force::{Drag, Gust, drag, push};
-pub use plane::{Fluid, FluidModel, LEAST_SIDE, MOST_SIDE};
+pub use plane::{FASTEST, Fluid, FluidModel, LEAST_SIDE, MOST_SIDE};
 pub use project::{Spectrum, divergence};
 pub use real::Real;
+pub use source::{FluidPlan, FluidSource, Passing};
+
+/// The text of the WGSL twins; the host's functions stand in the files. It needs `math.wgsl`.
+pub const WGSL: [&str; 4] =
+    [include_str!("fft.wgsl"), include_str!("project.wgsl"), include_str!("advect.wgsl"), include_str!("force.wgsl")];

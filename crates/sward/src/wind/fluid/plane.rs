@@ -11,6 +11,8 @@ use crate::math::exp_f64;
 pub const LEAST_SIDE: usize = 16;
 /// Most.
 pub const MOST_SIDE: usize = 512;
+/// Fastest that air flows along an axis, m/s: what gusts without measure would make of it.
+pub const FASTEST: f32 = 120.0;
 
 /// What does not change of a plane.
 #[derive(Clone, Debug)]
@@ -19,11 +21,12 @@ pub struct FluidModel<T> {
     pub side: usize,
     /// Side of a cell, m.
     pub cell: f32,
-    spectrum: Spectrum<T>,
+    /// Its spectral half.
+    pub spectrum: Spectrum<T>,
     /// Cells a step for every m/s.
-    reach: T,
+    pub reach: T,
     /// What is left of the flow after a step.
-    lasts: T,
+    pub lasts: T,
 }
 
 impl<T: Real> FluidModel<T> {
@@ -47,8 +50,12 @@ pub struct Fluid<T> {
 impl<T: Real> Fluid<T> {
     /// Air that rests.
     pub fn new(model: &FluidModel<T>) -> Self {
-        let still = vec![Complex::<T>::default(); model.side * model.side];
-        Self { flow: still.clone(), other: still }
+        Self::from_flow(vec![Complex::<T>::default(); model.side * model.side])
+    }
+
+    /// Air that flows already.
+    pub fn from_flow(flow: Vec<Complex<T>>) -> Self {
+        Self { other: vec![Complex::<T>::default(); flow.len()], flow }
     }
 
     /// One step.
@@ -59,6 +66,12 @@ impl<T: Real> Fluid<T> {
         advect(&self.flow, model.side, model.reach, &mut self.other);
         std::mem::swap(&mut self.flow, &mut self.other);
         model.spectrum.project(&mut self.flow, false);
-        self.flow.iter_mut().for_each(|velocity| *velocity = velocity.map(|part| part * model.lasts));
+        let most = T::of(f64::from(FASTEST));
+        let slowed = |part: T| {
+            let left = part * model.lasts;
+            let left = if left < most { left } else { most };
+            if left > -most { left } else { -most }
+        };
+        self.flow.iter_mut().for_each(|velocity| *velocity = velocity.map(slowed));
     }
 }

@@ -12,12 +12,13 @@ use crate::math::{exp_f64, sin_cos_f64};
 /// The spectral half of a step, for one size.
 #[derive(Clone, Debug)]
 pub struct Spectrum<T> {
-    fft: Fft<T>,
+    /// The transform of its rows and columns.
+    pub fft: Fft<T>,
     side: usize,
     /// sin(2πm/n): the central difference of wave m.
-    slopes: Vec<T>,
+    pub slopes: Vec<T>,
     /// What is left of wave m after a step of spreading.
-    lasts: Vec<T>,
+    pub lasts: Vec<T>,
 }
 
 impl<T: Real> Spectrum<T> {

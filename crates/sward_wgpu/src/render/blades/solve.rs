@@ -9,6 +9,7 @@ use sward::scene::Precision;
 use sward::wind::WindField;
 
 use crate::compute::CELLS_WGSL;
+use crate::compute::air::AirTexels;
 use crate::compute::buffers::CellBuffers;
 use crate::gpu::Gpu;
 use crate::render::prepare::{Bending, Shared};
@@ -91,6 +92,8 @@ pub struct Solving<'a> {
     pub prepare: PrepareUniform,
     /// The wind on the stand's nodes.
     pub wind: &'a WindField,
+    /// What it is read from.
+    pub air: &'a AirTexels,
     /// Its cells.
     pub cells: &'a CellBuffers,
     /// Where it grows.
@@ -196,7 +199,7 @@ impl SolvePass {
             (3, &cells.now),
             (4, if bending == Bending::Sheet { &cells.sheets } else { &cells.upper }),
             (5, shared.heights()),
-            (6, &shared.tile),
+            (6, &of.air.buffer),
             (7, records),
             (8, found),
             (9, &cells.old),
