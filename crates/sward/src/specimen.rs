@@ -128,3 +128,9 @@ impl Specimen {
 pub fn levels(picture: &Picture) -> Vec<Picture> {
     vec![picture.clone()]
 }
+/// Normal, openness, uv.
+pub fn unpacked(vertex: &SpecimenVertex) -> ([f32; 3], f32, [f32; 2]) {
+    let byte = |k: u32| f32::from((vertex.normal >> (8 * k)) as u8 as i8) / 127.0;
+    let part = |k: u32| half::f16::from_bits((vertex.uv >> (16 * k)) as u16).to_f32();
+    ([byte(0), byte(1), byte(2)], byte(3), [part(0), part(1)])
+}

@@ -102,6 +102,27 @@ impl ShadowTile {
         Self { corner, depths: vec![1.0; TILE * TILE] }
     }
 
+    /// Draws a triangle of points in the map (texels); `depth` tells at each texel, by the weights of its corners, how deep it is, or nothing.
+    pub(crate) fn draw_deep(&mut self, points: [Vec3; 3], mut depth: impl FnMut(Vec3) -> Option<f32>) {
+        let Some(triangle) = Triangle::new(points, [1.0; 3]) else { return };
+        let last = TILE as i64 - 1;
+        let low = [0, 1].map(|axis| (triangle.low[axis] - self.corner[axis]).max(0));
+        let high = [0, 1].map(|axis| (triangle.high[axis] - self.corner[axis]).min(last));
+        for row in low[1]..=high[1] {
+            for column in low[0]..=high[0] {
+                let (x, y) = ((self.corner[0] + column) * 256 + 128, (self.corner[1] + row) * 256 + 128);
+                let edges = [0, 1, 2].map(|k| triangle.edge(k, x, y));
+                if (0..3).any(|k| edges[k] + triangle.rule[k] < 0) {
+                    continue;
+                }
+                let stored = &mut self.depths[row as usize * TILE + column as usize];
+                if let Some(depth) = depth(triangle.weights(edges.map(|edge| edge as f32))).filter(|depth| *depth <= *stored) {
+                    *stored = depth.clamp(0.0, 1.0);
+                }
+            }
+        }
+    }
+
     /// Draws a triangle of points in the map (texels, and depth); where the cutout is transparent it casts no shadow.
     pub(crate) fn draw(&mut self, points: [Vec3; 3], cutout: Option<&Cutout<'_>>) {
         let Some(triangle) = Triangle::new(points, [1.0; 3]) else { return };

@@ -9,6 +9,7 @@ use sward::picture::Picture;
 use sward::picture::aov::Aov;
 use sward::picture::blade_plan::{BladePlan, LEVELS};
 use sward::picture::frame::{BodyDraw, FrameUniform};
+use sward::picture::layers::{self, CutPlan, Origin};
 use sward::picture::past::Past;
 use sward::picture::plan::{self, BatchPlan, Seen};
 use sward::picture::plants::Plant;
@@ -27,6 +28,7 @@ use crate::bodies::Bodies;
 use crate::clumps::Clumps;
 use crate::each::each;
 use crate::ground::Ground;
+use crate::layers::{CutCache, Layers};
 use crate::growing::Thinning;
 use crate::plants::Batch;
 use crate::shadows::{ShadowMap, ShadowTile, TILES};
@@ -49,6 +51,8 @@ pub struct Studio {
     pub(crate) mesh_of: Vec<Option<usize>>,
     /// The light of the scene's surroundings, where it has some.
     lighting: Option<Arc<Lighting>>,
+    /// Cuts of plants that are meshes.
+    cuts: CutCache,
 }
 
 impl Studio {
@@ -68,7 +72,7 @@ impl Studio {
             }));
         }
         let relief = subject::relief(&world.model.terrain);
-        Self { turf: Turf::of(&looks), clumps: Clumps::new(&looks), looks, relief, meshes, mesh_of, lighting }
+        Self { turf: Turf::of(&looks), clumps: Clumps::new(&looks), looks, relief, meshes, mesh_of, lighting, cuts: CutCache::new(world) }
     }
 
     /// Draws the world as it stands, in `size` pixels (each side is brought into 1..=16384). Cells are read from `world.state`: where a
@@ -89,7 +93,7 @@ impl Studio {
     }
 
     fn finish(&self, world: &World, moment: &Moment) -> Picture {
-        let shadows = self.shadow_map(moment);
+        let shadows = self.shadow_map(world, moment);
         let sight = self.sight(world, moment, &shadows);
         self.paint(&sight, &self.layout(&sight, moment, world), moment)
     }
@@ -98,7 +102,7 @@ impl Studio {
     /// leads to `past`: the moment of the picture before, or that of this one, and it is 0.
     pub fn draw_aov(&self, world: &World, past: &Past, behind: f64, size: [u32; 2]) -> (Picture, Aov) {
         let moment = self.moment(world, behind, size, None);
-        let shadows = self.shadow_map(&moment);
+        let shadows = self.shadow_map(world, &moment);
         let sight = self.sight(world, &moment, &shadows);
         let layout = self.layout(&sight, &moment, world);
         let before = self.before(world, past, &moment);
@@ -123,13 +127,15 @@ impl Studio {
         let input = frame.input(world, &view, &draws);
         let uniform = FrameUniform::new(&input, self.relief.frame(input.origin), size, SHADOW_REACH);
         let camera = [input.view.position.x, input.view.position.z];
+        let cuts = layers::plan(world, behind, size[1], &input);
+        self.cuts.keep(&cuts);
         let growth = input.growth;
         let seen = Seen { view: &view, origin, fullness: 1.0, behind };
         let (plans, batches) = self.prepare(world, &seen);
         let (blade_plans, strips) = self.grow(world, &seen, &uniform, thinning.map(|thinning| thinning.within(&frame)));
         let moved: Vec<Option<Mesh>> = (0..self.mesh_of.len()).map(|body| subject::moved(world, body, behind)).collect();
         let bodies = Bodies::new(&self.posed(&moved), &draws);
-        Moment { size, frame, origin, uniform, camera, growth, plans, batches, blade_plans, strips, draws, moved, bodies }
+        Moment { size, frame, origin, uniform, camera, growth, plans, batches, blade_plans, strips, draws, moved, bodies, cuts }
     }
 
     /// The meshes; those of bodies that play a clip have `moved`.
@@ -196,8 +202,10 @@ impl Studio {
         Batch::new(plants, joints, &self.looks[index], uniform.drawn, stand.species.cards())
     }
 
-    fn shadow_map(&self, moment: &Moment) -> ShadowMap {
+    fn shadow_map(&self, world: &World, moment: &Moment) -> ShadowMap {
         let Moment { uniform: frame, batches, bodies, .. } = moment;
+        let layers = Layers::new(world, &self.cuts, &moment.cuts[1], Origin(moment.frame.corner), None);
+        let layer_bins = layers.shadow_bins(frame);
         let body_bins = bodies.shadow_bins(frame);
         let bins: Vec<Bins> = batches.iter().map(|batch| batch.shadow_bins(frame)).collect();
         let blade_bins: Vec<Bins> = moment.strips().map(|strips| strips.shadow_bins(frame)).collect();
@@ -210,6 +218,7 @@ impl Studio {
             for (strips, bins) in moment.strips().zip(&blade_bins) {
                 strips.draw_shadow(frame, &mut tile, bins.of(index));
             }
+            layers.draw_shadow(frame, &mut tile, layer_bins.of(index));
             tile
         });
         ShadowMap::new(tiles)
@@ -218,7 +227,10 @@ impl Studio {
     /// The ground's grid, and what lies in which tile.
     fn layout(&self, sight: &Sight<'_>, moment: &Moment, world: &World) -> Layout {
         let tiles = sight.size.map(|side| side.div_ceil(SIDE) as usize);
+        let layers = Layers::new(world, &self.cuts, &moment.cuts[0], Origin(moment.frame.corner), Some(sight));
         Layout {
+            layer_bins: layers.bins(sight, tiles),
+            layers,
             tiles,
             ground: Ground::new(sight, &self.relief, world.model.terrain.edits(), moment.frame.corner, moment.camera, tiles),
             bodies: moment.bodies.bins(sight, tiles),
@@ -239,6 +251,7 @@ impl Studio {
             for (strips, bins) in moment.strips().zip(&layout.strips) {
                 strips.draw(sight, &mut tile, bins.of(index));
             }
+            layout.layers.draw(sight, &mut tile, layout.layer_bins.of(index));
             layout.ground.draw(sight, &self.turf, &moment.growth, &mut tile, index);
             sky::draw(sight, &mut tile);
             tile.resolve(sight.frame.forward.w).as_chunks::<4>().0.to_vec()
@@ -276,6 +289,8 @@ pub(crate) struct Moment {
     /// Meshes of the bodies that play a clip.
     pub(crate) moved: Vec<Option<Mesh>>,
     pub(crate) bodies: Bodies,
+    /// Cuts of the camera, and of the sun.
+    pub(crate) cuts: [Vec<CutPlan>; 2],
 }
 
 impl Moment {
@@ -293,6 +308,9 @@ pub(crate) struct Layout {
     pub(crate) bodies: Bins,
     pub(crate) batches: Vec<Bins>,
     pub(crate) strips: Vec<Bins>,
+    /// Plants that are meshes.
+    pub(crate) layers: Layers,
+    pub(crate) layer_bins: Bins,
 }
 
 impl Layout {

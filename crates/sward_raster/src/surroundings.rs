@@ -5,12 +5,13 @@ use glam::{Vec2, Vec3, Vec4Swizzles};
 use sward::picture::volume::{AmbientUniform, Lighting};
 use sward::shading::blade::{self, BladeStyle};
 use sward::shading::body;
+use sward::shading::crown;
 use sward::shading::environment;
 use sward::shading::foliage::{self, Card};
 use sward::shading::ground;
 use sward::shading::look::{Style, Turf};
 use sward::shading::sky::{air, backdrop};
-use sward::shading::volume::{Faces, lit};
+use sward::shading::volume::{Faces, facing, lit};
 
 use crate::sight::Sight;
 
@@ -108,6 +109,18 @@ impl Sight<'_> {
             None => ground::earth(colour, p, normal, view, distance, pixel, &self.light, lit),
             Some(around) => lit::earth(colour, p, normal, view, distance, pixel, &self.light, lit, &around.faces(place, 0.0)),
         }
+    }
+
+    /// Light of the sky on a crown's leaf or wood.
+    pub(crate) fn crown_sky(&self, albedo: Vec3, normal: Vec3, open: f32, through: f32, place: Vec3) -> Vec3 {
+        let [front, back] = match &self.surroundings {
+            None => [normal, -normal].map(|normal| self.light.ground.lerp(self.light.sky, 0.5 + 0.5 * normal.y)),
+            Some(around) => {
+                let faces = around.faces(place, 1.0);
+                [normal, -normal].map(|normal| facing(&faces, normal).xyz())
+            }
+        };
+        crown::sky(albedo, front, back, open, through)
     }
 
     /// Radiance of a body.

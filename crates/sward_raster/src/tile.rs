@@ -15,6 +15,8 @@ pub(crate) const CENTRES: [[i64; 2]; 4] = [[128, 128], [384, 128], [128, 384], [
 
 /// Two by two pixels under a triangle. Lanes: left to right, then down.
 pub(crate) struct Quad {
+    /// The first of its pixels, in the picture.
+    pub(crate) first: [i64; 2],
     /// Weights of the triangle's corners at the lanes' centres.
     pub(crate) weights: [Vec3; 4],
     /// Bit 4 · lane + sample: covered, and nothing in front.
@@ -31,18 +33,18 @@ impl Quad {
 
 /// What shading a quad gave: a colour for each lane, and the samples that take it.
 #[derive(Default)]
-pub(crate) struct Shaded {
-    pub(crate) colours: [Vec3; 4],
+pub(crate) struct Shaded<T = Vec3> {
+    pub(crate) colours: [T; 4],
     /// As [`Quad::visible`]; lanes or samples left out stay as they were.
     pub(crate) samples: u16,
 }
 
 /// A tile's samples, quad by quad, lane by lane.
-pub(crate) struct Tile {
+pub(crate) struct Tile<T = Vec3> {
     /// First pixel, in the picture.
     pub(crate) corner: [i64; 2],
     depths: Vec<[f32; 16]>,
-    colours: Vec<[Vec3; 16]>,
+    colours: Vec<[T; 16]>,
 }
 
 /// Values of a + sample offset for the 16 samples of a quad.
@@ -57,14 +59,36 @@ fn offsets(across: i64, down: i64) -> [i64; 16] {
     out
 }
 
-impl Tile {
+impl<T: Copy + Default> Tile<T> {
     /// An empty tile whose first pixel is `corner`.
     pub(crate) fn new(corner: [i64; 2]) -> Self {
-        Self { corner, depths: vec![[0.0; 16]; QUADS * QUADS], colours: vec![[Vec3::ZERO; 16]; QUADS * QUADS] }
+        Self { corner, depths: vec![[0.0; 16]; QUADS * QUADS], colours: vec![[T::default(); 16]; QUADS * QUADS] }
     }
 
     /// Shades the visible part of a triangle, quad by quad.
-    pub(crate) fn draw(&mut self, triangle: &Triangle, mut shade: impl FnMut(&Quad) -> Shaded) {
+    pub(crate) fn draw(&mut self, triangle: &Triangle, mut shade: impl FnMut(&Quad) -> Shaded<T>) {
+        self.draw_all(triangle, |quad, depths, stored| {
+            let quad = Quad { visible: quad.visible & nearer(depths, stored), ..quad };
+            (quad.visible != 0).then(|| {
+                let shaded = shade(&quad);
+                (Shaded { samples: shaded.samples & quad.visible, ..shaded }, *depths)
+            })
+        });
+    }
+
+    /// The same of a triangle whose depth is known only when it is shaded: that of each lane.
+    pub(crate) fn draw_deep(&mut self, triangle: &Triangle, mut shade: impl FnMut(&Quad) -> (Shaded<T>, [f32; 4])) {
+        self.draw_all(triangle, |quad, _, stored| {
+            let (shaded, depths) = shade(&quad);
+            let depths: [f32; 16] = std::array::from_fn(|sample| depths[sample / 4]);
+            let samples = shaded.samples & quad.visible & nearer(&depths, stored);
+            (samples != 0).then_some((Shaded { samples, ..shaded }, depths))
+        });
+    }
+
+    /// Hands every quad that a triangle covers over, with the depths of its samples and those stored; the answer is what to store.
+    #[inline]
+    fn draw_all(&mut self, triangle: &Triangle, mut shade: impl FnMut(Quad, &[f32; 16], &[f32; 16]) -> Option<(Shaded<T>, [f32; 16])>) {
         let side = i64::from(SIDE);
         let low = [0, 1].map(|axis| ((triangle.low[axis] - self.corner[axis]).max(0)) / 2);
         let high = [0, 1].map(|axis| (triangle.high[axis] - self.corner[axis]).min(side - 1));
@@ -87,33 +111,21 @@ impl Tile {
                     continue;
                 }
                 let index = row as usize * QUADS + column as usize;
-                let depths = self.depths_at(triangle, &deeper, x, y);
-                let visible = covered(triangle, &over, edges) & nearer(&depths, &self.depths[index]);
+                let visible = covered(triangle, &over, edges);
                 if visible == 0 {
                     continue;
                 }
-                let quad = Quad { weights: centres(triangle, edges), visible };
-                let shaded = shade(&quad);
-                self.store(index, shaded.samples & visible, &depths, &shaded.colours);
+                let depths = depths_at(triangle, &deeper, x, y);
+                let quad = Quad { first: [x / 256, y / 256], weights: centres(triangle, edges), visible };
+                if let Some((shaded, depths)) = shade(quad, &depths, &self.depths[index]) {
+                    self.store(index, shaded.samples, &depths, &shaded.colours);
+                }
             }
         }
     }
 
     #[inline]
-    fn depths_at(&self, triangle: &Triangle, deeper: &[f32; 16], x: i64, y: i64) -> [f32; 16] {
-        let depth = triangle.depth_at(x, y);
-        let [least, most] = triangle.depths;
-        let mut depths = *deeper;
-        for at in &mut depths {
-            let here = depth + *at;
-            let here = if here > least { here } else { least };
-            *at = if here < most { here } else { most };
-        }
-        depths
-    }
-
-    #[inline]
-    fn store(&mut self, index: usize, samples: u16, depths: &[f32; 16], colours: &[Vec3; 4]) {
+    fn store(&mut self, index: usize, samples: u16, depths: &[f32; 16], colours: &[T; 4]) {
         for sample in 0..16 {
             if samples >> sample & 1 == 1 {
                 self.depths[index][sample] = depths[sample];
@@ -122,6 +134,22 @@ impl Tile {
         }
     }
 
+    /// The four samples of a pixel of the tile, row by row, and which of them are covered.
+    pub(crate) fn samples(&self, pixel: [usize; 2]) -> (&[T], [bool; 4]) {
+        let [x, y] = pixel;
+        let (index, lane) = ((y / 2) * QUADS + x / 2, (y % 2) * 2 + x % 2);
+        let depths = &self.depths[index][4 * lane..4 * lane + 4];
+        (&self.colours[index][4 * lane..4 * lane + 4], std::array::from_fn(|sample| depths[sample] > 0.0))
+    }
+
+    #[inline]
+    fn pixel(&self, index: usize, lane: usize) -> [i64; 2] {
+        let (row, column) = (index / QUADS, index % QUADS);
+        [self.corner[0] + (2 * column + lane % 2) as i64, self.corner[1] + (2 * row + lane / 2) as i64]
+    }
+}
+
+impl Tile {
     /// Shades what nothing has covered; `shade` gets a pixel of the picture.
     pub(crate) fn fill(&mut self, shade: impl Fn([i64; 2]) -> Vec3, size: [u32; 2]) {
         for index in 0..QUADS * QUADS {
@@ -139,12 +167,6 @@ impl Tile {
                 }
             }
         }
-    }
-
-    #[inline]
-    fn pixel(&self, index: usize, lane: usize) -> [i64; 2] {
-        let (row, column) = (index / QUADS, index % QUADS);
-        [self.corner[0] + (2 * column + lane % 2) as i64, self.corner[1] + (2 * row + lane / 2) as i64]
     }
 
     /// Display values of the tile, [`SIDE`]² RGBA, row-major: each sample is tone-mapped before the mean, so bright rims stay smooth.
@@ -167,6 +189,19 @@ impl Tile {
         }
         rgba
     }
+}
+
+#[inline]
+fn depths_at(triangle: &Triangle, deeper: &[f32; 16], x: i64, y: i64) -> [f32; 16] {
+    let depth = triangle.depth_at(x, y);
+    let [least, most] = triangle.depths;
+    let mut depths = *deeper;
+    for at in &mut depths {
+        let here = depth + *at;
+        let here = if here > least { here } else { least };
+        *at = if here < most { here } else { most };
+    }
+    depths
 }
 
 /// Samples inside all three edges.

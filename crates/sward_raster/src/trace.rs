@@ -83,7 +83,7 @@ impl<'a> Trace<'a> {
                     continue;
                 }
                 let edges = [0, 1, 2].map(|k| triangle.edge(k, first[0], first[1]));
-                let quad = Quad { weights: centres(triangle, edges), visible };
+                let quad = Quad { first: first.map(|at| at / 256), weights: centres(triangle, edges), visible };
                 let solid = solid(&quad);
                 for lane in (0..4).filter(|lane| solid[*lane] && quad.lane(*lane)) {
                     let [x, y] = [0, 1].map(|axis| ((first[axis] + CENTRES[lane][axis]) as f64) / 256.0);
