@@ -2,12 +2,14 @@
 
 use sward::picture::aov::{Aov, AovPixel, AovUniform};
 use sward::picture::blade_plan::LEVELS;
+use sward::picture::layers::Origin;
 use sward::picture::past::Past;
 use sward::world::World;
 
 use crate::blades;
 use crate::bodies::Bodies;
 use crate::each::each;
+use crate::layers::Layers;
 use crate::plants::Batch;
 use crate::sight::Sight;
 use crate::studio::{Layout, Moment, Studio};
@@ -20,6 +22,8 @@ pub(crate) struct Before {
     batches: Vec<Batch>,
     /// In the order of [`Moment::strips`].
     strips: Vec<blades::Past>,
+    /// Corners of the pieces of layers.
+    layers: Vec<[glam::Vec3; 3]>,
 }
 
 impl Studio {
@@ -53,6 +57,7 @@ impl Studio {
             bodies: Bodies::new(&self.posed(&moved), &draws),
             batches: moment.plans.iter().map(solve).collect(),
             strips: by_level.into_iter().flatten().collect(),
+            layers: Layers::places(&past.world, &moment.cuts[0], &past.layers(&moment.cuts[0], Origin(moment.frame.corner))),
         }
     }
 
@@ -68,6 +73,7 @@ impl Studio {
             for ((strips, then), bins) in moment.strips().zip(&before.strips).zip(&layout.strips) {
                 strips.trace(sight, &mut tile, bins.of(index), then);
             }
+            layout.layers.trace(sight, &mut tile, layout.layer_bins.of(index), &before.layers);
             layout.ground.trace(&mut tile, index);
             tile.fill(sight);
             tile.finish()

@@ -22,6 +22,7 @@ struct Sample {
 }
 
 /// All layers of a cut.
+#[derive(Default)]
 pub(crate) struct CutTexture {
     size: [u32; 2],
     /// Light of the sky; covered share. Times that share, as all here.

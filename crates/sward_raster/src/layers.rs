@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex};
 
 use glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 use sward::geometry::layers::{LayerDraw, Moving};
+use sward::picture::aov::COVERAGE;
 use sward::picture::frame::{FrameUniform, SHADOW_SIDE};
 use sward::picture::layers::{CutKey, CutPlan, CutUniform, Origin};
 use sward::shading::common::hash;
@@ -18,6 +19,7 @@ use crate::leaf_picture::LeafPicture;
 use crate::shadows::{self, ShadowTile, TILE, TILES};
 use crate::sight::{Sight, mix};
 use crate::tile::{Quad, Shaded, Tile};
+use crate::trace::Trace;
 use crate::triangle::clipped;
 
 /// What stays from picture to picture: pictures of leaves, and cuts.
@@ -156,6 +158,47 @@ impl Layers {
             shaded.samples |= samples(draw, sky.w, pixel) << (4 * lane);
         }
         (shaded, depths)
+    }
+
+    /// Corners of the pieces of some cuts as they were, when `world` was the present: in the order of this picture's pieces.
+    pub(crate) fn places(world: &World, plans: &[CutPlan], then: &[Vec<LayerDraw>]) -> Vec<[Vec3; 3]> {
+        let notes: Vec<Vec<&[[f32; 2]]>> =
+            world.state.layered.iter().map(|state| state.notes.iter().map(|note| &note[..]).collect()).collect();
+        let mut places = Vec::new();
+        for (plan, draws) in plans.iter().zip(then) {
+            let Some(state) = world.state.layered.get(plan.key.stand) else { continue };
+            let moving = Moving { notes: &notes[plan.key.stand], touches: &state.touches };
+            for draw in draws {
+                let mut layers = Self::default();
+                layers.textures.push(Arc::default());
+                layers.lay(draw, &moving, None);
+                places.extend(layers.pieces.iter().map(|piece| piece.corners.map(|corner| corner.place)));
+            }
+        }
+        places
+    }
+
+    /// Draws the outputs of what lies in a tile; `then`: the corners of the pieces where they were.
+    pub(crate) fn trace(&self, sight: &Sight<'_>, tile: &mut Trace<'_>, which: &[u32], then: &[[Vec3; 3]]) {
+        for index in which {
+            let (piece, Some(was)) = (&self.pieces[*index as usize], then.get(*index as usize)) else { continue };
+            let (draw, texture) = &self.draws[piece.layer as usize];
+            let texture = &self.textures[*texture];
+            if draw.which[1] != 0 && (draw.which[1] == 1) != (draw.forward[3] >= 0.5) {
+                continue;
+            }
+            let clip = piece.corners.map(|corner| sight.clip(corner.place));
+            tile.draw_deep(clip, |weights, before| {
+                let uv = mix(weights, &piece.corners.map(|corner| corner.uv.extend(0.0))).truncate();
+                let [sky, sun] = texture.at(uv);
+                (sky.w >= COVERAGE).then(|| {
+                    let off = sun.w / sky.w.max(1e-3);
+                    let place = behind(draw, mix(weights, &piece.corners.map(|corner| corner.place)), off);
+                    let was = behind(draw, mix(weights, was), off);
+                    (sight.clip(place), before.then * was.extend(1.0), draw.which[0])
+                })
+            });
+        }
     }
 
     /// Points of a piece in the shadow map, texels.

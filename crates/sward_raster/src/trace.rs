@@ -96,6 +96,31 @@ impl<'a> Trace<'a> {
         }
     }
 
+    /// Draws a triangle in clip space whose depth is known only pixel by pixel: `seen` gives, by the weights of its corners, clip space of what is seen there, of
+    /// the same in the picture before, and its number.
+    pub(crate) fn draw_deep(&mut self, now: [Vec4; 3], mut seen: impl FnMut(Vec3, &AovUniform) -> Option<(Vec4, Vec4, u32)>) {
+        let last = i64::from(SIDE) - 1;
+        clipped(now, self.size, |triangle| {
+            let low = [0, 1].map(|axis| (triangle.low[axis] - self.corner[axis]).max(0));
+            let high = [0, 1].map(|axis| (triangle.high[axis] - self.corner[axis]).min(last));
+            for row in low[1]..=high[1] {
+                for column in low[0]..=high[0] {
+                    let [x, y] = [(self.corner[0] + column) * 256 + 128, (self.corner[1] + row) * 256 + 128];
+                    if self.depth_at(triangle, [x, y]).is_none() {
+                        continue;
+                    }
+                    let weights = triangle.weights([0, 1, 2].map(|k| triangle.edge(k, x, y) as f32));
+                    let Some((clip, then, number)) = seen(weights, self.before) else { continue };
+                    let (depth, place) = ((clip.z / clip.w).clamp(0.0, 1.0), (row * i64::from(SIDE) + column) as usize);
+                    if depth >= self.depths[place] {
+                        self.depths[place] = depth;
+                        self.pixels[place] = pixel(clip, then, self.size, number);
+                    }
+                }
+            }
+        });
+    }
+
     /// Depth of a triangle at a place, 1/256 pixel; `None` beside it.
     #[inline]
     fn depth_at(&self, triangle: &Triangle, [x, y]: [i64; 2]) -> Option<f32> {

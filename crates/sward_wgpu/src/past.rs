@@ -14,6 +14,7 @@ use crate::compute::buffers::CellBuffers;
 use crate::gpu::{Gpu, GpuError};
 use crate::render::blades::{BladeBuffers, SolvePass, Solving};
 use crate::render::growth_maps::GrowthMaps;
+use crate::render::layers::{WaveBuffers, WaveUpload};
 use crate::render::prepare::{BatchBuffers, PreparePass, Shared};
 use crate::studio::{CellsAt, batch_order};
 
@@ -32,6 +33,8 @@ pub(crate) struct KeptPast {
     air: AirTexels,
     /// The plants of the present picture as they were, near and plain, per stand.
     batches: Vec<[BatchBuffers; 2]>,
+    /// Waves of that moment, per stand of meshes.
+    waves: Vec<WaveBuffers>,
 }
 
 impl KeptPast {
@@ -43,6 +46,7 @@ impl KeptPast {
             cells: stands.iter().enumerate().map(|(index, stand)| CellBuffers::new(gpu, stand, precision(cells, index))).collect(),
             air: AirTexels::new(gpu, world),
             batches: stands.iter().map(|_| Default::default()).collect(),
+            waves: Vec::new(),
         };
         past.keep_cells(gpu, world, cells)?;
         Ok(past)
@@ -56,10 +60,20 @@ impl KeptPast {
 
     fn keep_cells(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>) -> Result<(), GpuError> {
         match cells {
-            CellsAt::Cpu => self.air.upload(gpu, world),
+            CellsAt::Cpu => {
+                self.air.upload(gpu, world);
+                let stands = world.model.layered.iter().zip(&world.state.layered);
+                let kept = stands.map(|(stand, state)| {
+                    let mut waves = WaveUpload::new(gpu, &stand.harmonic);
+                    waves.follow(gpu, &stand.harmonic, state, world.state.step);
+                    waves.buffers
+                });
+                self.waves = kept.collect();
+            }
             CellsAt::Gpu(step) => {
                 let mut encoder = gpu.device.create_command_encoder(&Default::default());
                 self.air.copy_from(&mut encoder, step.air());
+                self.waves = step.layered().map(|waves| waves.waves().copied(gpu, &mut encoder)).collect();
                 gpu.queue.submit([encoder.finish()]);
             }
         }
@@ -131,6 +145,11 @@ impl KeptPast {
     pub(crate) fn plants(&self, plans: &[[BatchPlan; 2]]) -> Vec<[&wgpu::Buffer; 2]> {
         let filled = |(index, plain): (usize, usize)| self.batches[index][plain].filled.as_ref();
         batch_order(plans).filter_map(filled).map(|(plants, joints)| [plants, joints]).collect()
+    }
+
+    /// Waves of that moment.
+    pub(crate) fn waves(&self) -> &[WaveBuffers] {
+        &self.waves
     }
 
     /// Meshes of bodies that play a clip, as they were, with the numbers of `meshes`.

@@ -228,10 +228,11 @@ impl Renderer {
         gpu.queue.submit([encoder.finish()]);
         self.targets = Some(targets);
         if let Some(before) = before {
-            let Self { frame, ground, bodies, plants, blades, .. } = self;
+            let Self { frame, ground, bodies, plants, blades, layers, .. } = self;
+            let layers = layers.as_ref().zip(ready_layers.as_ref());
             let blades = blades.as_ref().filter(|_| !ready_blades.0.is_empty());
             let pass = self.aov.get_or_insert_with(|| AovPass::new(gpu, frame, bodies));
-            pass.draw(gpu, &Drawn { frame, ground, bodies, plants, ready: &ready, blades, ready_blades: &ready_blades }, before, size);
+            pass.draw(gpu, &Drawn { frame, ground, bodies, plants, ready: &ready, blades, ready_blades: &ready_blades, layers }, before, size);
         }
         gpu.check()
     }

@@ -156,13 +156,15 @@ impl Studio {
             let passes = (solve, &self.prepare.shared);
             past.solve(gpu, passes, ready.origin, &world.model.terrain, (&ready.blades, &self.blades), &self.growth);
         }
+        let (cuts, waves) = self.layers(gpu, world, &cells, behind, size, &input);
         let before = Before {
+            layers: &past.moment.layers(&cuts[0], Origin(ready.frame.corner)),
+            waves: past.waves(),
             camera: past.moment.camera(&ready.frame, size),
             bodies: &past.moment.bodies(&ready.frame, &bodies, &self.meshes),
             meshes: &past.meshes(&self.meshes),
             plants: &past.plants(&ready.plans),
         };
-        let (cuts, waves) = self.layers(gpu, world, &cells, behind, size, &input);
         let (batches, blades) = (drawn(&self.batches, world, &ready.plans), strips(&self.blades, world, &self.looks, &ready.blades));
         let layers = layered(world, &ready.frame, &cuts, &waves);
         self.renderer.draw_aov(gpu, &input, &PlantDraws { batches: &batches, blades: &blades, layers }, &before, size)?;

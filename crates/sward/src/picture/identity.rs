@@ -20,7 +20,7 @@ pub struct Identity {
     pub cell_bits: u32,
     /// Bits of each coordinate of the patch.
     pub patch_bits: u32,
-    /// Cells along a patch side, of each stand.
+    /// Cells along a patch side, of each stand: those of grass, then those of meshes.
     pub cells: Vec<u32>,
     /// Patches, along x and z, that plants are seen across at most.
     seen: u32,
@@ -45,11 +45,17 @@ fn bits(count: u64) -> u32 {
 impl Identity {
     /// Of a world: as many bits for stands and cells as they take, the rest for patches.
     pub fn of(world: &World) -> Self {
-        let cells: Vec<u32> = world.model.stands.iter().map(|stand| stand.cells).collect();
+        let meshes = world.model.layered.iter().map(|stand| {
+            // Places are counted through, not cell by cell.
+            let places = (stand.places.len() as f64).sqrt().ceil() as u32;
+            stand.placement.cells.max(places)
+        });
+        let cells: Vec<u32> = world.model.stands.iter().map(|stand| stand.cells).chain(meshes).collect();
         let most = cells.iter().copied().max().unwrap_or(1);
         let cell_bits = bits(u64::from(most) * u64::from(most));
         let patch_bits = 32_u32.saturating_sub(cell_bits + bits(cells.len() as u64 + 1).max(1)) / 2;
         let farthest = subject::looks(world).iter().map(|look| look.fade[1]).fold(0.0, f32::max);
+        let farthest = world.model.layered.iter().map(|stand| stand.layers().distance).fold(farthest, f32::max);
         let seen = (2.0 * f64::from(farthest) / world.model.patch_side).ceil() as u32 + 2;
         Self { cell_bits, patch_bits, cells, seen }
     }

@@ -6,6 +6,7 @@ use glam::{Mat3, Mat4, Vec3};
 
 use crate::geometry::layers::{Extent, LayerDraw, NONE, across, depths};
 use crate::picture::frame::{FrameInput, sun_of};
+use crate::picture::identity::{Identity, number};
 use crate::picture::subject::SHADOW_REACH;
 use crate::response::harmonic::{LayeredStand, TOUCH_SIDE, Warp, lags};
 use crate::scene::Follow;
@@ -147,7 +148,7 @@ pub fn plan(world: &World, behind: f64, rows: u32, input: &FrameInput<'_>) -> [V
     let focus = [0, 1].map(|axis| f64::from(input.focus[2 * axis]) + input.origin[axis]);
     let mut plans: [Vec<CutPlan>; 2] = Default::default();
     for (index, (stand, state)) in world.model.layered.iter().zip(&world.state.layered).enumerate() {
-        let part = Part { world, index, stand, state, behind, origin };
+        let part = Part { world, index, stand, state, behind, origin, identity: Identity::of(world) };
         let fade = f64::from(stand.layers().fade) / world.model.dt;
         for (key, cuts) in &state.cuts {
             let Some(plant) = state.plant(*key) else { continue };
@@ -171,6 +172,17 @@ pub fn plan(world: &World, behind: f64, rows: u32, input: &FrameInput<'_>) -> [V
     }
     fit(&mut plans, f64::from(world.scene.budget.layer_pixels) * 1e6);
     plans
+}
+
+/// The layers of a cut as they were `behind` steps before the state of another moment's world, in the frame of this one.
+pub fn then(world: &World, behind: f64, plan: &CutPlan, origin: Origin) -> Vec<LayerDraw> {
+    let (Some(stand), Some(state)) = (world.model.layered.get(plan.key.stand), world.state.layered.get(plan.key.stand)) else {
+        return plan.layers.clone();
+    };
+    let part = Part { world, index: plan.key.stand, stand, state, behind, origin, identity: Identity::of(world) };
+    let first = plan.layers.first().copied().unwrap_or_default();
+    let pieces = [first.window[2], first.window[3]];
+    part.layers(&plan.plant, &plan.cut, &plan.edges, plan.grid, pieces, (first.forward[3], first.which[1]))
 }
 
 /// A plant as the sun sees it.
@@ -211,6 +223,7 @@ struct Part<'a> {
     state: &'a LayeredState,
     behind: f64,
     origin: Origin,
+    identity: Identity,
 }
 
 impl Part<'_> {
@@ -285,9 +298,8 @@ impl Part<'_> {
         (0..=count).map(layer).collect()
     }
 
-    /// Number of a plant, of 31 bits, in outputs beside pictures.
+    /// Number of a plant in outputs beside pictures.
     fn number(&self, plant: &LayeredPlant) -> u32 {
-        let ([x, z], cell) = plant.key;
-        crate::math::hash(self.stand.index as u32, x, z, cell, 0x1a_ef_00) & 0x7fff_ffff | 1
+        number(self.identity.of_stand(self.world.model.stands.len() + self.index), plant.key.0, plant.key.1)
     }
 }

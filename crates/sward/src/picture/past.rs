@@ -9,9 +9,11 @@ use super::aov::AovUniform;
 use super::blade_plan::{self, BladePlan};
 use super::frame::BodyDraw;
 use super::identity::Identity;
+use super::layers::{self, CutPlan, Origin};
 use super::plan::{BatchPlan, Seen, plan, plan_then, share};
 use super::prepare::PrepareUniform;
 use super::subject::{self, Frame};
+use crate::geometry::layers::LayerDraw;
 use crate::geometry::mesh::Mesh;
 use crate::response::StandModel;
 use crate::shading::look::Look;
@@ -61,6 +63,11 @@ impl Past {
     pub fn blades(&self, index: usize, origin: PatchKey, now: &BladePlan) -> Option<BladePlan> {
         let seen = Seen { view: &self.view, origin, fullness: 1.0, behind: self.behind };
         blade_plan::plan_then(&self.world, index, &seen, &self.looks[index], now)
+    }
+
+    /// The layers of cuts of the present picture, whose frame lies at `origin`, as they were then.
+    pub fn layers(&self, plans: &[CutPlan], origin: Origin) -> Vec<Vec<LayerDraw>> {
+        plans.iter().map(|plan| layers::then(&self.world, self.behind, plan, origin)).collect()
     }
 
     /// Numbers of a stand's plants, for [`super::identity::number`].

@@ -4,10 +4,12 @@
 mod blades;
 mod bodies;
 mod ground;
+mod layers;
 mod plants;
 mod read;
 mod sky;
 
+use sward::geometry::layers::LayerDraw;
 use sward::geometry::mesh::Mesh;
 use sward::picture::aov::AovUniform;
 use sward::picture::frame::BodyDraw;
@@ -15,6 +17,7 @@ use sward::picture::frame::BodyDraw;
 use super::blades::{BladePass, ReadyBlades};
 use super::bodies::BodyPass;
 use super::ground::GroundPass;
+use super::layers::{LayerPass, ReadyLayers, WaveBuffers};
 use super::plant_pass::{PlantPass, ReadyPlants};
 use super::{DEPTH, assemble};
 use crate::gpu::Gpu;
@@ -26,11 +29,12 @@ pub const FORMATS: [wgpu::TextureFormat; 3] = [wgpu::TextureFormat::R32Float, wg
 const WGSL: &str = include_str!("aov.wgsl");
 
 /// Every assembled text with its name, for validation.
-pub fn assembled() -> [(&'static str, String); 6] {
+pub fn assembled() -> [(&'static str, String); 7] {
     [
         ("blades, outputs", assemble(&[&[super::blades::constants().as_str()], &blades::parts()[..]].concat())),
         ("bodies, outputs", assemble(&bodies::parts())),
         ("ground, outputs", assemble(&ground::parts())),
+        ("layers, outputs", assemble(&layers::parts())),
         ("plants, outputs", assemble(&plants::parts())),
         ("sheets, outputs", assemble(&plants::sheet_parts())),
         ("sky, outputs", assemble(&sky::parts())),
@@ -47,6 +51,10 @@ pub struct Before<'a> {
     pub meshes: &'a [(usize, Mesh)],
     /// For each batch of the picture, in its order, buffers of the same plants and joints as they were; `layer` is the plant's number.
     pub plants: &'a [[&'a wgpu::Buffer; 2]],
+    /// For each of the camera's cuts of plants, in the picture's order, its layers as they were.
+    pub layers: &'a [Vec<LayerDraw>],
+    /// The waves that moved them, of each stand of meshes.
+    pub waves: &'a [WaveBuffers],
 }
 
 /// The passes of a picture that were drawn already, with their buffers.
@@ -58,6 +66,7 @@ pub(crate) struct Drawn<'a> {
     pub(crate) ready: &'a ReadyPlants<'a>,
     pub(crate) blades: Option<&'a BladePass>,
     pub(crate) ready_blades: &'a ReadyBlades<'a>,
+    pub(crate) layers: Option<(&'a LayerPass, &'a ReadyLayers)>,
 }
 
 pub(crate) struct AovPass {
@@ -67,6 +76,8 @@ pub(crate) struct AovPass {
     plants: plants::Plants,
     /// Made when there are blades.
     blades: Option<blades::Blades>,
+    /// Made when there are stands of meshes.
+    layers: Option<layers::Layers>,
     sky: sky::Sky,
     targets: Option<Targets>,
 }
@@ -132,6 +143,7 @@ impl AovPass {
             ground: ground::Ground::new(gpu, frame, &uniform),
             plants: plants::Plants::new(gpu),
             blades: None,
+            layers: None,
             sky: sky::Sky::new(gpu, frame, &uniform),
             targets: None,
             uniform,
@@ -149,12 +161,19 @@ impl AovPass {
         });
         let targets = self.targets.take().filter(|targets| targets.size == size).unwrap_or_else(|| Targets::new(gpu, size));
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let cut = drawn.layers.map(|of| {
+            let outputs = self.layers.get_or_insert_with(|| layers::Layers::new(gpu));
+            (of.1, outputs.ready(gpu, &mut encoder, &self.uniform, of, drawn, before))
+        });
         {
             let mut pass = targets.begin(&mut encoder);
             self.bodies.draw(&mut pass, drawn.bodies, &moved);
             self.plants.draw(&mut pass, drawn, &ready);
             if let (Some((blade_pass, ready)), Some(outputs)) = (&blades, &self.blades) {
                 outputs.draw(&mut pass, (blade_pass, drawn.ready_blades), ready);
+            }
+            if let (Some((ready, groups)), Some(outputs)) = (&cut, &self.layers) {
+                outputs.draw(&mut pass, ready, groups);
             }
             self.ground.draw(gpu, &mut pass, drawn.ground);
             self.sky.draw(&mut pass);

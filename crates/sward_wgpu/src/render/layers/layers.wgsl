@@ -5,7 +5,7 @@
 @group(0) @binding(6) var<storage, read> layer_touches: array<vec2<f32>>;
 @group(0) @binding(7) var layer_sky: texture_2d<f32>;
 @group(0) @binding(8) var layer_sun: texture_2d<f32>;
-@group(0) @binding(9) var layer_sampler: sampler;
+@group(0) @binding(11) var layer_sampler: sampler;
 
 fn layers_note(index: u32) -> vec2<f32> {
     return layer_notes[index];

@@ -49,15 +49,32 @@ pub struct LayerDraws<'a> {
 }
 
 /// A cut made ready for this frame.
-struct ReadyCut {
+pub(crate) struct ReadyCut {
+    pub(crate) key: CutKey,
+    /// Its stand.
+    pub(crate) stand: usize,
+    pub(crate) vertices: u32,
+    /// Its layers among all that are drawn.
+    pub(crate) layers: std::ops::Range<u32>,
     bindings: wgpu::BindGroup,
-    vertices: u32,
-    layers: std::ops::Range<u32>,
 }
 
 /// The cuts of one frame: the camera's and the sun's.
 #[derive(Default)]
-pub(crate) struct ReadyLayers([Vec<ReadyCut>; 2]);
+pub(crate) struct ReadyLayers {
+    cuts: [Vec<ReadyCut>; 2],
+    /// All layers, the camera's first.
+    pub(crate) draws: Vec<LayerDraw>,
+    /// The waves of each stand.
+    pub(crate) waves: Vec<WaveBuffers>,
+}
+
+impl ReadyLayers {
+    /// The camera's.
+    pub(crate) fn cuts(&self) -> &[ReadyCut] {
+        &self.cuts[0]
+    }
+}
 
 pub(crate) struct LayerPass {
     cutting: CutPass,
@@ -83,7 +100,7 @@ impl LayerPass {
             (6, Slot::Storage),
             (7, Slot::Picture),
             (8, Slot::Picture),
-            (9, Slot::Filtering),
+            (11, Slot::Filtering),
         ];
         let shadow_layout = layout(device, "layer shadows", &own);
         let main_layout =
@@ -146,60 +163,78 @@ impl LayerPass {
             self.textures.insert(plan.key, texture);
             self.cut += 1;
         }
-        let layers: Vec<LayerDraw> = all.iter().flat_map(|plan| plan.layers.iter().copied()).collect();
-        let layers = gpu.filled("layers", bytemuck::cast_slice(&layers), wgpu::BufferUsages::STORAGE);
-        let mut ready = ReadyLayers::default();
+        let list: Vec<LayerDraw> = all.iter().flat_map(|plan| plan.layers.iter().copied()).collect();
+        let layers = gpu.filled("layers", bytemuck::cast_slice(&list), wgpu::BufferUsages::STORAGE);
+        let mut ready = ReadyLayers { draws: list, waves: draws.waves.to_vec(), ..ReadyLayers::default() };
         let mut first = 0;
         for (of, plans) in draws.plans.iter().enumerate() {
             for plan in plans {
                 let range = first..first + plan.layers.len() as u32;
                 first = range.end;
-                let (Some(texture), Some(waves)) = (self.textures.get(&plan.key), draws.waves.get(plan.key.stand)) else { continue };
+                let (key, stand) = (plan.key, plan.key.stand);
                 let [columns, rows] = plan.pieces();
-                let bindings = self.bind(gpu, frame, map, &layers, waves, texture, of == 1);
-                ready.0[of].push(ReadyCut { bindings, vertices: 6 * columns * rows, layers: range });
+                let shadow = of == 1;
+                let layout = if shadow { &self.shadow_layout } else { &self.main_layout };
+                let map = (!shadow).then_some(map);
+                let bindings = draws.waves.get(stand).and_then(|waves| self.bind(gpu, layout, frame, map, &layers, waves, key, &[]));
+                let Some(bindings) = bindings else { continue };
+                ready.cuts[of].push(ReadyCut { key, stand, vertices: 6 * columns * rows, layers: range, bindings });
             }
         }
         ready
     }
 
+    /// Binds a cut for the pass of outputs.
+    pub(crate) fn bind_with(
+        &self,
+        gpu: &Gpu,
+        layout: &wgpu::BindGroupLayout,
+        frame: &wgpu::Buffer,
+        layers: &wgpu::Buffer,
+        waves: &WaveBuffers,
+        key: CutKey,
+        more: &[(u32, &wgpu::Buffer)],
+    ) -> Option<wgpu::BindGroup> {
+        self.bind(gpu, layout, frame, None, layers, waves, key, more)
+    }
+
     fn bind(
         &self,
         gpu: &Gpu,
+        layout: &wgpu::BindGroupLayout,
         frame: &wgpu::Buffer,
-        map: &ShadowMap,
+        map: Option<&ShadowMap>,
         layers: &wgpu::Buffer,
         waves: &WaveBuffers,
-        texture: &CutTexture,
-        shadow: bool,
-    ) -> wgpu::BindGroup {
-        let mut all = vec![
-            wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 4, resource: layers.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 5, resource: waves.notes.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 6, resource: waves.touches.as_entire_binding() },
+        key: CutKey,
+        more: &[(u32, &wgpu::Buffer)],
+    ) -> Option<wgpu::BindGroup> {
+        let texture = self.textures.get(&key)?;
+        let buffers = [(0, frame), (4, layers), (5, &waves.notes), (6, &waves.touches)];
+        let mut all: Vec<wgpu::BindGroupEntry<'_>> = buffers
+            .iter()
+            .chain(more)
+            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: *binding, resource: buffer.as_entire_binding() })
+            .collect();
+        all.extend([
             wgpu::BindGroupEntry { binding: 7, resource: wgpu::BindingResource::TextureView(&texture.sky) },
             wgpu::BindGroupEntry { binding: 8, resource: wgpu::BindingResource::TextureView(&texture.sun) },
-            wgpu::BindGroupEntry { binding: 9, resource: wgpu::BindingResource::Sampler(&self.sampler) },
-        ];
-        if !shadow {
+            wgpu::BindGroupEntry { binding: 11, resource: wgpu::BindingResource::Sampler(&self.sampler) },
+        ]);
+        if let Some(map) = map {
             all.push(wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&map.view) });
             all.push(wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&map.sampler) });
             all.extend(entries(self.surroundings.as_ref()));
         }
-        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("layers"),
-            layout: if shadow { &self.shadow_layout } else { &self.main_layout },
-            entries: &all,
-        })
+        Some(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("layers"), layout, entries: &all }))
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, ready: &ReadyLayers) {
-        Self::draw_all(pass, &self.main, &ready.0[0]);
+        Self::draw_all(pass, &self.main, &ready.cuts[0]);
     }
 
     pub(crate) fn draw_shadow(&self, pass: &mut wgpu::RenderPass<'_>, ready: &ReadyLayers) {
-        Self::draw_all(pass, &self.shadow, &ready.0[1]);
+        Self::draw_all(pass, &self.shadow, &ready.cuts[1]);
     }
 
     fn draw_all(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, cuts: &[ReadyCut]) {

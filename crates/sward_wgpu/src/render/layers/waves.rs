@@ -6,6 +6,30 @@ use sward::state::LayeredState;
 use super::WaveBuffers;
 use crate::gpu::Gpu;
 
+impl WaveBuffers {
+    /// Those of two moments, one behind the other.
+    pub(crate) fn joined(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, now: &Self, then: &Self) -> Self {
+        let mut join = |label: &str, [a, b]: [&wgpu::Buffer; 2]| {
+            let joined = buffer(gpu, label, a.size() + b.size());
+            encoder.copy_buffer_to_buffer(a, 0, &joined, 0, Some(a.size()));
+            encoder.copy_buffer_to_buffer(b, 0, &joined, a.size(), Some(b.size()));
+            joined
+        };
+        let notes = join("notes, now and then", [&now.notes, &then.notes]);
+        Self { notes, touches: join("touched plants, now and then", [&now.touches, &then.touches]) }
+    }
+
+    /// A copy of them.
+    pub(crate) fn copied(&self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder) -> Self {
+        let mut copy = |label: &str, of: &wgpu::Buffer| {
+            let copy = buffer(gpu, label, of.size());
+            encoder.copy_buffer_to_buffer(of, 0, &copy, 0, Some(of.size()));
+            copy
+        };
+        Self { notes: copy("notes then", &self.notes), touches: copy("touched plants then", &self.touches) }
+    }
+}
+
 /// Waves of one stand.
 pub(crate) struct WaveUpload {
     pub(crate) buffers: WaveBuffers,
@@ -47,7 +71,7 @@ fn buffer(gpu: &Gpu, label: &str, size: u64) -> wgpu::Buffer {
     gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
         size,
-        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC,
         mapped_at_creation: false,
     })
 }
