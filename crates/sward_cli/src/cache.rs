@@ -4,7 +4,8 @@ use std::fs::File;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
-use sward::picture::volume::{Lighting, Store};
+use sward::picture::volume::Lighting;
+use sward::store::Store;
 use sward::world::World;
 
 use crate::arguments::Caching;
