@@ -6,9 +6,9 @@
 //! Differs from the paper: vertices that only lie in one place hang together too, since exporters split them at seams; union-find takes the
 //! place of its breadth-first search, and finds the same. Wood is not split.
 //!
-//! **Memory**, besides the file: at most 32 bytes a vertex and 12 a triangle for the specimen, and 22 a vertex (12 while reading, 18 while
-//! welding) for a while; a vertex that no triangle uses is not kept. With three vertices a triangle, the most there can be, 174 bytes a
-//! triangle; of grown plants, with 1.2 to 2 vertices, 77 to 120. Time is linear.
+//! **Memory**, besides the file: 32 bytes a vertex and 12 a triangle for the specimen, and for a while 22 more a vertex, or 8 a vertex and 12 a
+//! triangle where that is more. A vertex that no triangle uses is not kept. With three vertices a triangle, the most there can be, that is 174 bytes
+//! a triangle; of grown plants, with 1.2 to 2 vertices, 75 to 120. Time is linear.
 
 mod components;
 mod error;

@@ -26,6 +26,16 @@ pub(super) struct Branch {
     pub(super) key: u32,
 }
 
+/// Lowest place that a branch heads for; the plant is as high as about 1.
+const GROUND: f32 = 0.035;
+
+/// A direction that does not lead below the ground within a length.
+pub(super) fn above_ground(place: Vec3, direction: Vec3, length: f32) -> Vec3 {
+    let least = (GROUND - place.y) / length;
+    let least = if least > 0.95 { 0.95 } else { least };
+    if direction.y >= least { direction } else { Vec3::new(direction.x, least, direction.z).normalize_or(Vec3::Y) }
+}
+
 /// How branches of a level run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Run {
@@ -45,7 +55,7 @@ pub(super) fn line(branch: &Branch, run: &Run, chance: &mut Chance) -> Vec<Joint
     let step = 1.0 / run.segments as f32;
     // Two bends that pass into each other make an S.
     let (first, last) = (chance.vector() * run.bend, chance.vector() * run.bend);
-    let mut forward = branch.direction.normalize_or(Vec3::Y);
+    let mut forward = above_ground(branch.start, branch.direction.normalize_or(Vec3::Y), branch.length);
     let mut side = square_to(forward);
     let mut place = branch.start;
     let mut joints = Vec::with_capacity(run.segments as usize + 1);
@@ -57,7 +67,7 @@ pub(super) fn line(branch: &Branch, run: &Run, chance: &mut Chance) -> Vec<Joint
         joints.push(Joint { place, forward, side, radius });
         place += forward * (branch.length * step);
         let turn = first * (1.0 - t) + last * t + Vec3::Y * run.rise;
-        forward = (forward + turn * step).normalize_or(forward);
+        forward = above_ground(place, (forward + turn * step).normalize_or(forward), branch.length * (1.0 - t + step));
         side = (side - forward * forward.dot(side)).normalize_or(square_to(forward));
     }
     joints

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use super::super::Kind;
 use super::blade::{Leaf, leaf};
-use super::branch::{Branch, Joint, at, line};
+use super::branch::{Branch, Joint, above_ground, at, line};
 use super::chance::{Chance, GOLDEN, leaning, ring};
 use super::forms::Plan;
 use super::mesh::{Grown, Piece};
@@ -80,6 +80,8 @@ impl Made<'_> {
         let face = Vec3::Y * 0.75 + away * 0.55 + chance.vector() * 0.5;
         let up = (face - along * along.dot(face)).normalize_or(joint.side);
         let length = self.size * chance.within(0.72, 1.28);
+        let along = above_ground(joint.place, along, length);
+        let up = (up - along * along.dot(up)).normalize_or(joint.side);
         let made = Leaf {
             base: joint.place + out * (joint.radius * 0.8),
             along,
@@ -90,18 +92,18 @@ impl Made<'_> {
             droop: chance.within(0.02, 0.3),
         };
         // Light leaves are outside and at the top, dark ones within.
-        let height = joint.place - Vec3::Y * self.plan.middle;
-        let light = 0.5 * away.y + 1.1 * height.length() / self.plan.middle - 0.75 + chance.within(-0.55, 0.55);
-        let which = if light > 0.62 { 2 } else { usize::from(light > -0.1) };
+        let reach = (joint.place - Vec3::Y * self.plan.middle).length() / self.plan.radius;
+        let light = 0.35 * away.y + reach - 0.7 + chance.within(-0.45, 0.45);
+        let which = if light > 0.62 { 2 } else { usize::from(light > 0.0) };
         leaf(&mut self.pieces[which], &made, self.plan.detail);
     }
 }
 
 /// How long the branch at a share of an oval crown's height is.
 fn oval(share: f32) -> f32 {
-    let away = (share - 0.3) / if share < 0.3 { 0.62 } else { 0.78 };
+    let away = (share - 0.3) / if share < 0.3 { 0.66 } else { 0.72 };
     let left = 1.0 - away * away;
-    if left > 0.05 { left.sqrt() } else { 0.22 }
+    if left > 0.05 { left.sqrt() } else { 0.23 }
 }
 
 fn branch(plan: &Plan, own: &Branch, sink: &mut dyn Sink) {
@@ -152,7 +154,7 @@ fn walk(plan: &Plan, seed: u32, sink: &mut dyn Sink) {
         let lean = plan.lean * share + chance.within(-0.12, 0.12);
         let (sine, cosine) = sin_cos(lean);
         // Stems that lean are shorter, so that tips lie on a dome.
-        let length = if plan.stems == 1 { 0.95 } else { 0.92 - 0.26 * share * share } * chance.within(0.88, 1.08);
+        let length = if plan.stems == 1 { 0.95 } else { 0.94 - 0.4 * share * share } * chance.within(0.88, 1.08);
         let stem = Branch {
             start: out * (plan.spread * share),
             direction: Vec3::Y * cosine + out * sine,

@@ -42,6 +42,8 @@ pub(super) struct Plan {
     pub(super) half: f32,
     /// Height of the crown's middle: leaves look away from it.
     pub(super) middle: f32,
+    /// About how far the crown reaches from there.
+    pub(super) radius: f32,
     /// Linear colours of leaves: in the shade, most, and the youngest.
     pub(super) greens: [[f32; 3]; 3],
     pub(super) bark: [f32; 3],
@@ -70,13 +72,13 @@ fn detail(triangles: u32) -> Detail {
 
 /// Twigs that so many triangles allow.
 fn twigs(triangles: u32, detail: Detail) -> f32 {
-    0.72 * triangles as f32 / (14.0 * detail.triangles() as f32)
+    0.72 * triangles as f32 / (11.0 * detail.triangles() as f32)
 }
 
 /// The levels above limbs of a length, until twigs reach from one to the next in a crown of a volume.
 fn spray(limb: Level, limb_length: f32, twigs: f32, limbs: f32, volume: f32, rich: bool) -> Vec<Level> {
     let (count, each) = branching(twigs, limbs);
-    let reach = 1.15 * crate::math::cbrt(volume / twigs);
+    let reach = 1.7 * crate::math::cbrt(volume / twigs);
     let ratio = power(reach / limb_length, 1.0 / count as f32);
     let ratio = if ratio < 0.3 {
         0.3
@@ -85,11 +87,11 @@ fn spray(limb: Level, limb_length: f32, twigs: f32, limbs: f32, volume: f32, ric
     } else {
         ratio
     };
-    let mut levels = vec![Level { children: each, ratio, leafy: if count == 1 { 0.35 } else { 0.0 }, ..limb }];
+    let mut levels = vec![Level { children: each, ratio, leafy: if count == 1 { 0.45 } else { 0.0 }, ..limb }];
     for number in 0..count {
         let last = number + 1 == count;
-        let segments = if last { 2 } else { 4 + u32::from(rich) };
-        let sides = if last { 3 } else { 4 + u32::from(rich) - u32::from(number > 0) };
+        let segments = if last { 1 + u32::from(rich) } else { 4 + u32::from(rich) };
+        let sides = if last { 3 } else { if rich { 5 - u32::from(number > 0) } else { 3 } };
         let run = Run { segments, rise: 0.35, bend: 0.55, tip: 0.25, flare: 0.0 };
         let leafy = if last {
             0.85
@@ -122,7 +124,7 @@ pub(super) fn bush(triangles: u32) -> Plan {
         sides: if rich { 8 } else { 5 },
         thickness: 0.016,
         children: 0.0,
-        first: 0.14,
+        first: 0.05,
         angles: [1.0, 0.6],
         ratio: 0.5,
         oval: false,
@@ -131,12 +133,13 @@ pub(super) fn bush(triangles: u32) -> Plan {
     Plan {
         stems,
         spread: 0.1,
-        lean: 1.25,
+        lean: 1.02,
         levels: spray(limb, 0.8, twigs, stems as f32, 0.95, rich),
         detail,
-        leaf_area: if rich { 5.5 } else { 4.2 },
+        leaf_area: if rich { 6.0 } else { 5.0 },
         half: 0.27,
         middle: 0.35,
+        radius: 0.62,
         greens: [[0.032, 0.085, 0.018], [0.055, 0.135, 0.024], [0.105, 0.2, 0.036]],
         bark: [0.115, 0.082, 0.055],
     }
@@ -160,13 +163,13 @@ pub(super) fn tree(triangles: u32) -> Plan {
         thickness: 0.021,
         children: limbs,
         first: 0.26,
-        angles: [1.25, 0.45],
+        angles: [1.3, 0.62],
         ratio: 0.42,
         oval: true,
         leafy: 0.0,
     };
     let limb = Level {
-        run: Run { segments: if rich { 10 } else { 6 }, rise: 0.5, bend: 0.42, tip: 0.18, flare: 0.25 },
+        run: Run { segments: if rich { 10 } else { 6 }, rise: 0.32, bend: 0.38, tip: 0.18, flare: 0.25 },
         sides: if rich { 9 } else { 5 },
         thickness: 0.019,
         children: 0.0,
@@ -184,9 +187,10 @@ pub(super) fn tree(triangles: u32) -> Plan {
         lean: 0.05,
         levels,
         detail,
-        leaf_area: if rich { 1.5 } else { 1.15 },
+        leaf_area: if rich { 1.9 } else { 1.7 },
         half: 0.3,
-        middle: 0.55,
+        middle: 0.58,
+        radius: 0.36,
         greens: [[0.03, 0.075, 0.014], [0.05, 0.118, 0.02], [0.088, 0.17, 0.03]],
         bark: [0.13, 0.1, 0.075],
     }

@@ -10,9 +10,11 @@ use super::tube;
 use crate::math::sin_cos;
 
 /// Whorls of a stem, where there are triangles enough.
-const WHORLS: f32 = 44.0;
+const WHORLS: f32 = 17.0;
 /// Feathers of a whorl.
-const FEATHERS: u32 = 7;
+const FEATHERS: u32 = 5;
+/// Ribbons of a rosette.
+const ROSETTE: u32 = 8;
 
 /// What so many triangles allow.
 struct Plan {
@@ -30,9 +32,9 @@ impl Plan {
     fn new(triangles: u32) -> Self {
         let triangles = triangles as f32;
         let (pieces, strips) = match triangles as u32 {
-            0..12_000 => (8, 4),
-            12_000..40_000 => (12, 5),
-            40_000..200_000 => (20, 7),
+            0..12_000 => (8, 5),
+            12_000..40_000 => (12, 7),
+            40_000..200_000 => (20, 9),
             200_000..2_000_000 => (32, 11),
             _ => (48, 17),
         };
@@ -55,7 +57,24 @@ impl Plan {
     }
 }
 
-const RIBBON_TIP: f32 = 0.12;
+/// Share of a ribbon's length in which it ends.
+const TIP: f32 = 0.1;
+
+/// Bends a ribbon to and fro, more towards its tip.
+fn waved(joints: &mut [Joint], chance: &mut Chance) {
+    let (aside, phase) = (chance.within(0.016, 0.045), chance.within(0.0, 6.28));
+    let waves = chance.within(5.0, 10.0);
+    let around = chance.within(0.0, 6.28);
+    let count = joints.len() as f32 - 1.0;
+    for (k, joint) in joints.iter_mut().enumerate() {
+        let t = k as f32 / count;
+        let out = ring(joint.forward, joint.side, around);
+        let (sine, cosine) = sin_cos(phase + waves * t);
+        joint.place += out * (aside * sine * t);
+        joint.forward = (joint.forward + out * (aside * (waves * cosine * t + sine))).normalize_or(joint.forward);
+        joint.side = (joint.side - joint.forward * joint.forward.dot(joint.side)).normalize_or(joint.side);
+    }
+}
 
 /// A ribbon: a strip creased along its middle, narrow at both ends, turning as it rises.
 fn ribbon(piece: &mut Piece, joints: &[Joint], half: f32, twist: f32) {
@@ -63,7 +82,7 @@ fn ribbon(piece: &mut Piece, joints: &[Joint], half: f32, twist: f32) {
     let count = joints.len() - 1;
     for (k, joint) in joints[..count].iter().enumerate() {
         let t = k as f32 / count as f32;
-        let taper = if t > 1.0 - RIBBON_TIP * 3.0 { (1.0 - t) / (RIBBON_TIP * 3.0) } else { 1.0 };
+        let taper = if t > 1.0 - TIP { 0.35 + 0.65 * (1.0 - t) / TIP } else { 1.0 };
         let width = half * (0.55 + 0.45 * if t < 0.3 { t / 0.3 } else { 1.0 }) * taper.sqrt();
         let side = ring(joint.forward, joint.side, twist * t);
         let up = side.cross(joint.forward);
@@ -128,13 +147,20 @@ impl Made {
     fn ribbons(&mut self, plan: &Plan, seed: u32) {
         for number in 0..plan.ribbons {
             let mut chance = Chance::new(Chance::new(seed).child(number));
-            let (start, out) = plan.spot(number, plan.ribbons, &mut chance);
-            let run = Run { segments: plan.pieces, rise: chance.within(-0.15, 0.5), bend: 0.75, tip: 1.0, flare: 0.0 };
-            let direction = Vec3::Y + out * chance.within(0.05, 0.5) + chance.vector() * 0.16;
-            let length = chance.within(0.5, 1.05);
-            let joints = line(&Branch { start, direction, length, radius: 0.0, level: 0, key: 0 }, &run, &mut chance);
-            let which = if chance.next() < 0.55 { 0 } else { 1 };
-            ribbon(&mut self.pieces[which], &joints, chance.within(0.0085, 0.0125), chance.within(-3.0, 3.0));
+            let rosettes = plan.ribbons.div_ceil(ROSETTE);
+            let mut own = Chance::new(Chance::new(seed ^ 0x5eed).child(number / ROSETTE));
+            let (start, _) = plan.spot(number / ROSETTE, rosettes, &mut own);
+            let out = ring(Vec3::Y, Vec3::X, number as f32 * GOLDEN + own.within(0.0, 6.28));
+            let start = start + out * chance.within(0.004, 0.012);
+            // The inner ones are young and upright, the outer long; at the surface they turn over and float.
+            let age = chance.next();
+            let run = Run { segments: plan.pieces, rise: 0.3 - 1.9 * age * age, bend: 0.5, tip: 1.0, flare: 0.0 };
+            let direction = Vec3::Y + out * (0.05 + 0.28 * age) + chance.vector() * 0.1;
+            let length = 0.6 + 0.75 * age + chance.within(-0.1, 0.1);
+            let mut joints = line(&Branch { start, direction, length, radius: 0.0, level: 0, key: 0 }, &run, &mut chance);
+            waved(&mut joints, &mut chance);
+            let which = if chance.next() < 0.6 { 0 } else { 1 };
+            ribbon(&mut self.pieces[which], &joints, chance.within(0.008, 0.0115), chance.within(-1.8, 1.8));
             self.leaves += 1;
         }
     }
@@ -147,7 +173,7 @@ impl Made {
             let (start, out) = plan.spot(number, plan.stems, &mut chance);
             let run = Run { segments: plan.pieces / 2 + 4, rise: 0.4, bend: 0.6, tip: 0.5, flare: 0.0 };
             let direction = Vec3::Y + out * chance.within(0.05, 0.4) + chance.vector() * 0.12;
-            let length = chance.within(0.62, 1.0);
+            let length = chance.within(0.45, 0.85);
             let joints = line(&Branch { start, direction, length, radius: 0.0055, level: 0, key: 0 }, &run, &mut chance);
             tube::tube(&mut self.pieces[1], &joints, 4, 0.0);
             // The lowest ring's first corner must be the root, not its equals.
@@ -167,11 +193,11 @@ impl Made {
             // Close together towards the tip, where leaves are young and small.
             let share = 0.06 + 0.935 * (place * (1.5 - 0.5 * place));
             let joint = at(joints, share);
-            let size = 0.088 * length.sqrt() * (1.0 - 0.62 * share * share);
+            let size = 0.14 * length.sqrt() * (1.0 - 0.5 * share * share);
             let turn = whorl as f32 * GOLDEN;
             for number in 0..own {
                 let around = turn + (number as f32 + chance.within(-0.15, 0.15)) * (std::f32::consts::TAU / own as f32);
-                let angle = 1.25 - 0.75 * share * share + chance.within(-0.15, 0.15);
+                let angle = 1.0 - 0.45 * share * share + chance.within(-0.15, 0.15);
                 let along = leaning(joint.forward, joint.side, around, angle);
                 let base = joint.place + ring(joint.forward, joint.side, around) * (joint.radius * 0.8);
                 let which = if share + chance.within(-0.15, 0.15) > 0.72 { 2 } else { 1 };
