@@ -21,6 +21,7 @@ pub mod scene;
 pub mod shading;
 pub mod specimen;
 pub mod state;
+pub mod store;
 pub mod terrain;
 pub mod view;
 pub mod wind;

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 /// Every module of the crate, earlier stages first; those of one line may know each other.
-const STAGES: [&[&str]; 16] = [
-    &["math", "lanes"],
+const STAGES: [&[&str]; 17] = [
+    &["math", "lanes", "store"],
     &["scene"],
     &["terrain"],
     &["figure"],
+    &["specimen"],
     &["placement"],
     &["growth"],
     &["wind"],

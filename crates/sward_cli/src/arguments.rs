@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use sward::specimen::grow::HEIGHTS;
+
 use crate::aov;
 
 /// Largest side of a picture, pixels.
@@ -26,7 +28,8 @@ const EXAMPLES: &str = "Examples:\n  \
     sward render hello -o hello.mp4              a clip\n  \
     sward render hello --frames 0..90 -o clip/   three seconds, frame by frame\n  \
     sward simulate lawn --steps 600 -o data/     the state as NumPy arrays\n  \
-    sward show my_scene.ron                      what a scene contains and costs\n\n\
+    sward show my_scene.ron                      what a scene contains and costs\n  \
+    sward grow bush                              a plant made by code: bush.glb\n\n\
     Environment:\n  \
     SWARD_ADAPTER=part of a name                 which graphics adapter to use; none: do without\n\n";
 
@@ -68,9 +71,15 @@ pub(crate) enum Command {
     #[command(after_long_help = "Examples:\n  sward bench hello\n  sward bench hello --on gpu -o figures/\n\n\
         figures/bench.json and bench.csv hold p50 and p95 of every stage; the JSON also counters, memory and the machine.")]
     Bench(Bench),
-    /// Say what a scene contains and what it costs; needs no graphics adapter
-    #[command(after_long_help = "Examples:\n  sward show hello\n  sward show my_scene.ron")]
+    /// Say what a scene contains and what it costs, or what a plant's file holds; needs no graphics adapter
+    #[command(after_long_help = "Examples:\n  sward show hello\n  sward show my_scene.ron\n  sward show oak.glb")]
     Show(Show),
+    /// Grow a plant, and write it as a .glb
+    #[command(after_long_help = "Examples:\n  \
+        sward grow bush\n  \
+        sward grow tree -o lime.glb --seed 3 --triangles 80000 --height 8\n\n\
+        The same seed grows the same plant on every machine. `sward show lime.glb` says what is in it.")]
+    Grow(Grow),
     /// List the scenes that come with sward, or print the text of one
     #[command(after_long_help = "Examples:\n  sward scenes\n  sward scenes hello > my_scene.ron")]
     Scenes(Scenes),
@@ -218,8 +227,39 @@ pub(crate) struct Bench {
 /// `sward show`.
 #[derive(Debug, Args)]
 pub(crate) struct Show {
-    /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
+    /// A shipped scene's name (see `sward scenes`), the path of a .ron file, or that of a plant: .glb or .gltf
     pub(crate) scene: String,
+}
+
+/// `sward grow`.
+#[derive(Debug, Args)]
+pub(crate) struct Grow {
+    /// What kind of plant
+    #[arg(value_enum)]
+    pub(crate) form: Form,
+    /// Where to; by default named like the kind, in the current folder
+    #[arg(short, long, value_name = "FILE.glb")]
+    pub(crate) output: Option<PathBuf>,
+    /// Which plant of the kind
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) seed: u32,
+    /// About how many triangles, within 10 %
+    #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(2000..=64_000_000))]
+    pub(crate) triangles: u32,
+    /// Height in metres, 0.05 to 60; by default 1.5 for a bush, 7.5 for a tree, 0.5 for a water plant
+    #[arg(long, value_name = "M", value_parser = height, allow_negative_numbers = true)]
+    pub(crate) height: Option<f32>,
+}
+
+/// What grows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Form {
+    /// Round, dense from the ground up
+    Bush,
+    /// A trunk and a full crown
+    Tree,
+    /// Ribbons and feathery stems, all soft
+    WaterPlant,
 }
 
 /// `sward scenes`.
@@ -295,6 +335,15 @@ fn size(text: &str) -> Result<[u32; 2], String> {
         Err(_) => Err(wanted.to_owned()),
     };
     Ok([side(width)?, side(height)?])
+}
+
+fn height(text: &str) -> Result<f32, String> {
+    let [low, high] = HEIGHTS;
+    match text.parse::<f32>() {
+        Ok(height) if (low..=high).contains(&height) => Ok(height),
+        Ok(_) => Err(format!("a plant is {low} to {high} m high: type metres, like 1.5")),
+        Err(_) => Err("type metres, like 1.5".to_owned()),
+    }
 }
 
 fn seconds(text: &str) -> Result<f64, String> {

@@ -1,10 +1,11 @@
-//! Volumes of light kept from run to run: files in the platform's cache folder, or in one of the user's choice.
+//! Volumes of light and plants kept from run to run: files in the platform's cache folder, or in one of the user's choice.
 
 use std::fs::File;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
-use sward::picture::volume::{Lighting, Store};
+use sward::picture::volume::Lighting;
+use sward::store::Store;
 use sward::world::World;
 
 use crate::arguments::Caching;
@@ -13,10 +14,12 @@ use crate::progress::Progress;
 
 /// A larger file is no volume, bytes: 128 × 128 × 32 voxels take 25 MB.
 const LARGEST: u64 = 32 << 20;
+/// A larger file is no plant, bytes: 64 million triangles with three vertices each take 7.3 GB.
+const LARGEST_PLANT: u64 = 8 << 30;
 /// Parts in which progress is told.
 const PARTS: u64 = 100;
 
-/// A folder of volumes.
+/// A folder of volumes and plants.
 #[derive(Clone, Debug)]
 pub(crate) struct Cache {
     /// `None` keeps nothing.
@@ -62,7 +65,8 @@ impl Store for Cache {
             file => file.map_err(|error| told("read", &path, &error))?,
         };
         let mut bytes = Vec::new();
-        file.take(LARGEST).read_to_end(&mut bytes).map_err(|error| told("read", &path, &error))?;
+        let most = if name.ends_with(".plant") { LARGEST_PLANT } else { LARGEST };
+        file.take(most).read_to_end(&mut bytes).map_err(|error| told("read", &path, &error))?;
         Ok(Some(bytes))
     }
 

@@ -44,6 +44,23 @@ pub(crate) fn clip(wanted: Option<&Path>, name: &str) -> Result<PathBuf, Failure
     Ok(path)
 }
 
+/// The place of a plant: `wanted`, or `name`.glb in the current folder.
+pub(crate) fn plant(wanted: Option<&Path>, name: &str) -> Result<PathBuf, Failure> {
+    let path = wanted.map_or_else(|| PathBuf::from(format!("{name}.glb")), Path::to_owned);
+    let shown = path.display();
+    if path.is_dir() || ends_in_separator(&path) {
+        let inside = path.join(format!("{name}.glb"));
+        return Err(Failure::input(format!("{shown} is a folder, but a plant is one file"), format!("type -o {}", inside.display())));
+    }
+    if !ends_in(&path, "glb") {
+        let help = format!("type -o {}", path.with_extension("glb").display());
+        return Err(Failure::input(format!("plants are glTF files, and {shown} is not named like one"), help));
+    }
+    has_parent(&path)?;
+    probe(&partial(&path)).map_err(|error| unwritable(&path, &error, "type -o FILE.glb in a folder you may write to"))?;
+    Ok(path)
+}
+
 /// Writes and removes a file.
 fn probe(path: &Path) -> std::io::Result<()> {
     File::create(path).and_then(|_| std::fs::remove_file(path))

@@ -114,7 +114,7 @@ fn help_is_short_with_h_and_has_examples_with_help() {
     let (short, long) = (place.sward(&["-h"]).done(), place.sward(&["--help"]).done());
     assert!(short.lines().count() < 30, "{short}");
     assert!(long.contains("Examples:") && !short.contains("Examples:"));
-    for command in ["render", "simulate", "compare", "show", "scenes", "scene-format", "completions"] {
+    for command in ["render", "simulate", "compare", "show", "grow", "scenes", "scene-format", "completions"] {
         assert!(short.contains(command), "{command}");
         let about = place.sward(&[command, "--help"]).done();
         assert!(about.contains("Usage: sward"), "{command}");
@@ -151,4 +151,25 @@ fn without_an_adapter_what_needs_one_fails_and_writes_nothing() {
         assert!(["SWARD_ADAPTER is \"nobody has this name\"", "help: "].iter().all(|words| ran.errors.contains(words)), "{}", ran.errors);
         assert_eq!(place.files(), ["small.ron"]);
     }
+}
+
+#[test]
+fn grown_plants_are_written_and_shown() {
+    let place = Place::new("grow");
+    let said = place.sward(&["grow", "bush"]).done();
+    assert!(said.contains("bush.glb: 1.5 m high, ") && said.contains("triangles, "), "{said}");
+    place.sward(&["grow", "water-plant", "-o", "weed.glb", "--seed", "7", "--triangles", "5000", "--height", "0.4", "-q"]).done();
+    assert_eq!(place.files(), ["bush.glb", "weed.glb"]);
+    let bush = place.sward(&["show", "bush.glb"]).done();
+    for word in ["1.50 m above its root", "leaves dark: leaf, ", "bark: wood, ", "each with a root", "two-sided"] {
+        assert!(bush.contains(word), "no `{word}` in\n{bush}");
+    }
+    let weed = place.sward(&["show", "weed.glb"]).done();
+    assert!(weed.contains("0.40 m above its root") && weed.contains(" and 0 of wood"), "{weed}");
+    let again = Place::new("grow_again");
+    again.sward(&["grow", "bush"]).done();
+    let read = |place: &Place| std::fs::read(place.0.join("bush.glb")).expect("written");
+    assert!(read(&place) == read(&again), "two runs write the same bytes");
+    place.sward(&["grow", "bush", "--seed", "1"]).done();
+    assert!(read(&place) != read(&again), "control: another seed is another plant");
 }

@@ -181,6 +181,30 @@ fn fails_with_a_place_that_cannot_be_written_to() {
 }
 
 #[test]
+fn fails_with_plants_that_cannot_grow_or_be_read() {
+    let place = Place::new("plants");
+    std::fs::create_dir(place.0.join("folder")).expect("writable");
+    place.write("cut.glb", "glTF\x02\0\0\0\0\x10\0\0");
+    place.write("empty.gltf", r#"{"asset": {"version": "2.0"}}"#);
+    let cases: [(&[&str], &[&str]); 11] = [
+        (&["grow"], &["bush, tree, water-plant"]),
+        (&["grow", "cactus"], &["bush, tree, water-plant"]),
+        (&["grow", "bush", "--triangles", "10"], &["2000..=64000000"]),
+        (&["grow", "bush", "--height", "-1"], &["0.05 to 60 m high"]),
+        (&["grow", "bush", "--height", "tall"], &["type metres, like 1.5"]),
+        (&["grow", "bush", "-o", "folder"], &["is a folder", "folder/bush.glb"]),
+        (&["grow", "bush", "-o", "bush.obj"], &["glTF", "-o bush.glb"]),
+        (&["grow", "bush", "-o", "missing/bush.glb"], &["mkdir -p missing"]),
+        (&["show", "gone.glb"], &["gone.glb: cannot be read", "check the path"]),
+        (&["show", "cut.glb"], &["cut.glb", "announces 4096 bytes", "copy or export it again"]),
+        (&["show", "empty.gltf"], &["no triangles", "export meshes"]),
+    ];
+    for (arguments, words) in cases {
+        place.refuses(arguments, words);
+    }
+}
+
+#[test]
 fn fails_with_an_unknown_command() {
     let place = Place::new("unknown_command");
     place.refuses(&["rendr", "hello"], &["render"]);

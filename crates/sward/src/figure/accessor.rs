@@ -75,7 +75,7 @@ fn width(shape: &str) -> Option<usize> {
 
 impl Opened<'_> {
     /// The bytes of a buffer view.
-    pub(super) fn view(&self, index: usize, place: &str) -> Result<(&[u8], Option<u64>), FigureError> {
+    pub(crate) fn view(&self, index: usize, place: &str) -> Result<(&[u8], Option<u64>), FigureError> {
         let view = at(&self.root.buffer_views, index, "bufferViews", place)?;
         let inner = format!("bufferViews[{index}]");
         let buffer = at(&self.buffers, view.buffer, "buffers", &inner)?;
@@ -108,7 +108,7 @@ impl Opened<'_> {
     }
 
     /// Elements of `N` numbers; shorter ones (of the widths given) are filled up with `fill`. All finite.
-    pub(super) fn vectors<const N: usize>(
+    pub(crate) fn vectors<const N: usize>(
         &self,
         index: usize,
         widths: &[usize],
@@ -137,7 +137,7 @@ impl Opened<'_> {
     }
 
     /// Whole numbers: indices of vertices or joints.
-    pub(super) fn integers<const N: usize>(&self, index: usize, most: u64, user: &str) -> Result<Vec<[u32; N]>, FigureError> {
+    pub(crate) fn integers<const N: usize>(&self, index: usize, most: u64, user: &str) -> Result<Vec<[u32; N]>, FigureError> {
         self.elements(index, &[N], most, user, [0; N], |layout, _, place| layout.integers(place))
     }
 

@@ -6,13 +6,13 @@ use super::error::{FigureError, data};
 use super::json::Root;
 
 /// Reads a file beside the glTF file.
-pub(super) type Neighbour<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
+pub(crate) type Neighbour<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
 
 /// A file, taken apart: its JSON and the bytes of its buffers.
-pub(super) struct Opened<'a> {
-    pub(super) root: Root,
-    pub(super) buffers: Vec<Cow<'a, [u8]>>,
-    pub(super) neighbour: Neighbour<'a>,
+pub(crate) struct Opened<'a> {
+    pub(crate) root: Root,
+    pub(crate) buffers: Vec<Cow<'a, [u8]>>,
+    pub(crate) neighbour: Neighbour<'a>,
 }
 
 fn word(bytes: &[u8], at: usize) -> Option<usize> {
@@ -90,7 +90,7 @@ fn unescaped(uri: &str) -> Option<String> {
 }
 
 /// The bytes behind a URI: embedded as base64, or a file beside the glTF file.
-pub(super) fn resolve(uri: &str, neighbour: Neighbour<'_>, place: &str) -> Result<Vec<u8>, FigureError> {
+pub(crate) fn resolve(uri: &str, neighbour: Neighbour<'_>, place: &str) -> Result<Vec<u8>, FigureError> {
     if let Some(embedded) = uri.strip_prefix("data:") {
         let (kind, text) = embedded.split_once(',').unwrap_or((embedded, ""));
         let bytes = if kind.ends_with(";base64") { base64(text) } else { None };
@@ -102,7 +102,7 @@ pub(super) fn resolve(uri: &str, neighbour: Neighbour<'_>, place: &str) -> Resul
 }
 
 /// Takes a file apart.
-pub(super) fn open<'a>(bytes: &'a [u8], neighbour: Neighbour<'a>) -> Result<Opened<'a>, FigureError> {
+pub(crate) fn open<'a>(bytes: &'a [u8], neighbour: Neighbour<'a>) -> Result<Opened<'a>, FigureError> {
     let (json, binary) = if bytes.starts_with(b"glTF") { chunks(bytes)? } else { (bytes, None) };
     if !bytes.starts_with(b"glTF") && !bytes.iter().take(64).any(|byte| *byte == b'{') {
         let start = String::from_utf8_lossy(&bytes[..bytes.len().min(4)]).escape_debug().to_string();

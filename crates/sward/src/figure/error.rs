@@ -78,6 +78,6 @@ fn way_out(extension: &str) -> &'static str {
     }
 }
 
-pub(super) fn data(place: impl Into<String>, what: impl Into<String>) -> FigureError {
+pub(crate) fn data(place: impl Into<String>, what: impl Into<String>) -> FigureError {
     FigureError::Data { place: place.into(), what: what.into() }
 }

@@ -1,4 +1,4 @@
-//! The part of a glTF file's JSON that bodies need. Everything else is skipped.
+//! The part of a glTF file's JSON that bodies and plants need. Everything else is skipped.
 //!
 //! glTF 2.0 specification, §5. Numbers that point into lists are looked up with `get`: a wrong one is an error with its place.
 
@@ -12,145 +12,145 @@ const KNOWN: [&str; 5] =
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct Root {
-    pub(super) asset: Asset,
-    pub(super) extensions_required: Vec<String>,
-    pub(super) scene: Option<usize>,
-    pub(super) scenes: Vec<Scene>,
-    pub(super) nodes: Vec<Node>,
-    pub(super) meshes: Vec<Mesh>,
-    pub(super) skins: Vec<Skin>,
-    pub(super) animations: Vec<Animation>,
-    pub(super) accessors: Vec<Accessor>,
-    pub(super) buffer_views: Vec<BufferView>,
-    pub(super) buffers: Vec<Buffer>,
-    pub(super) materials: Vec<Material>,
-    pub(super) textures: Vec<Texture>,
-    pub(super) images: Vec<Image>,
+pub(crate) struct Root {
+    pub(crate) asset: Asset,
+    pub(crate) extensions_required: Vec<String>,
+    pub(crate) scene: Option<usize>,
+    pub(crate) scenes: Vec<Scene>,
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) meshes: Vec<Mesh>,
+    pub(crate) skins: Vec<Skin>,
+    pub(crate) animations: Vec<Animation>,
+    pub(crate) accessors: Vec<Accessor>,
+    pub(crate) buffer_views: Vec<BufferView>,
+    pub(crate) buffers: Vec<Buffer>,
+    pub(crate) materials: Vec<Material>,
+    pub(crate) textures: Vec<Texture>,
+    pub(crate) images: Vec<Image>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Asset {
-    pub(super) version: String,
+pub(crate) struct Asset {
+    pub(crate) version: String,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Scene {
-    pub(super) nodes: Vec<usize>,
+pub(crate) struct Scene {
+    pub(crate) nodes: Vec<usize>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Node {
-    pub(super) name: String,
-    pub(super) children: Vec<usize>,
-    pub(super) mesh: Option<usize>,
-    pub(super) skin: Option<usize>,
-    pub(super) matrix: Option<[f64; 16]>,
-    pub(super) translation: Option<[f64; 3]>,
-    pub(super) rotation: Option<[f64; 4]>,
-    pub(super) scale: Option<[f64; 3]>,
+pub(crate) struct Node {
+    pub(crate) name: String,
+    pub(crate) children: Vec<usize>,
+    pub(crate) mesh: Option<usize>,
+    pub(crate) skin: Option<usize>,
+    pub(crate) matrix: Option<[f64; 16]>,
+    pub(crate) translation: Option<[f64; 3]>,
+    pub(crate) rotation: Option<[f64; 4]>,
+    pub(crate) scale: Option<[f64; 3]>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Mesh {
-    pub(super) primitives: Vec<Primitive>,
+pub(crate) struct Mesh {
+    pub(crate) primitives: Vec<Primitive>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Primitive {
-    pub(super) attributes: Attributes,
-    pub(super) indices: Option<usize>,
-    pub(super) material: Option<usize>,
-    pub(super) mode: Option<u32>,
+pub(crate) struct Primitive {
+    pub(crate) attributes: Attributes,
+    pub(crate) indices: Option<usize>,
+    pub(crate) material: Option<usize>,
+    pub(crate) mode: Option<u32>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "UPPERCASE", default)]
-pub(super) struct Attributes {
-    pub(super) position: Option<usize>,
-    pub(super) normal: Option<usize>,
-    pub(super) texcoord_0: Option<usize>,
-    pub(super) texcoord_1: Option<usize>,
-    pub(super) color_0: Option<usize>,
-    pub(super) joints_0: Option<usize>,
-    pub(super) weights_0: Option<usize>,
+pub(crate) struct Attributes {
+    pub(crate) position: Option<usize>,
+    pub(crate) normal: Option<usize>,
+    pub(crate) texcoord_0: Option<usize>,
+    pub(crate) texcoord_1: Option<usize>,
+    pub(crate) color_0: Option<usize>,
+    pub(crate) joints_0: Option<usize>,
+    pub(crate) weights_0: Option<usize>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct Skin {
-    pub(super) inverse_bind_matrices: Option<usize>,
-    pub(super) joints: Vec<usize>,
+pub(crate) struct Skin {
+    pub(crate) inverse_bind_matrices: Option<usize>,
+    pub(crate) joints: Vec<usize>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Animation {
-    pub(super) name: String,
-    pub(super) channels: Vec<Channel>,
-    pub(super) samplers: Vec<Sampler>,
+pub(crate) struct Animation {
+    pub(crate) name: String,
+    pub(crate) channels: Vec<Channel>,
+    pub(crate) samplers: Vec<Sampler>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Channel {
-    pub(super) sampler: usize,
-    pub(super) target: Target,
+pub(crate) struct Channel {
+    pub(crate) sampler: usize,
+    pub(crate) target: Target,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Target {
-    pub(super) node: Option<usize>,
-    pub(super) path: String,
+pub(crate) struct Target {
+    pub(crate) node: Option<usize>,
+    pub(crate) path: String,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Sampler {
-    pub(super) input: usize,
-    pub(super) output: usize,
-    pub(super) interpolation: String,
+pub(crate) struct Sampler {
+    pub(crate) input: usize,
+    pub(crate) output: usize,
+    pub(crate) interpolation: String,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct Accessor {
-    pub(super) buffer_view: Option<usize>,
-    pub(super) byte_offset: u64,
-    pub(super) component_type: u32,
-    pub(super) count: u64,
+pub(crate) struct Accessor {
+    pub(crate) buffer_view: Option<usize>,
+    pub(crate) byte_offset: u64,
+    pub(crate) component_type: u32,
+    pub(crate) count: u64,
     #[serde(rename = "type")]
-    pub(super) shape: String,
-    pub(super) normalized: bool,
-    pub(super) sparse: Option<Sparse>,
+    pub(crate) shape: String,
+    pub(crate) normalized: bool,
+    pub(crate) sparse: Option<Sparse>,
 }
 
 /// Elements that replace others of an accessor.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Sparse {
-    pub(super) count: u64,
-    pub(super) indices: SparsePart,
-    pub(super) values: SparsePart,
+pub(crate) struct Sparse {
+    pub(crate) count: u64,
+    pub(crate) indices: SparsePart,
+    pub(crate) values: SparsePart,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct SparsePart {
-    pub(super) buffer_view: usize,
-    pub(super) byte_offset: u64,
-    pub(super) component_type: u32,
+pub(crate) struct SparsePart {
+    pub(crate) buffer_view: usize,
+    pub(crate) byte_offset: u64,
+    pub(crate) component_type: u32,
 }
 
 impl Accessor {
     /// Which elements are replaced, and by what, as accessors of their own.
-    pub(super) fn replaced(&self) -> Option<[Self; 2]> {
+    pub(crate) fn replaced(&self) -> Option<[Self; 2]> {
         let sparse = self.sparse.as_ref()?;
         let part = |part: &SparsePart, component_type: u32, shape: &str| Self {
             buffer_view: Some(part.buffer_view),
@@ -168,58 +168,62 @@ impl Accessor {
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct BufferView {
-    pub(super) buffer: usize,
-    pub(super) byte_offset: u64,
-    pub(super) byte_length: u64,
-    pub(super) byte_stride: Option<u64>,
+pub(crate) struct BufferView {
+    pub(crate) buffer: usize,
+    pub(crate) byte_offset: u64,
+    pub(crate) byte_length: u64,
+    pub(crate) byte_stride: Option<u64>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct Buffer {
-    pub(super) uri: Option<String>,
-    pub(super) byte_length: u64,
+pub(crate) struct Buffer {
+    pub(crate) uri: Option<String>,
+    pub(crate) byte_length: u64,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct Material {
-    pub(super) pbr_metallic_roughness: Finish,
+pub(crate) struct Material {
+    pub(crate) name: String,
+    pub(crate) pbr_metallic_roughness: Finish,
+    pub(crate) alpha_mode: String,
+    pub(crate) alpha_cutoff: Option<f32>,
+    pub(crate) double_sided: bool,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct Finish {
-    pub(super) base_color_factor: Option<[f32; 4]>,
-    pub(super) base_color_texture: Option<TextureUse>,
-    pub(super) metallic_factor: Option<f32>,
-    pub(super) roughness_factor: Option<f32>,
+pub(crate) struct Finish {
+    pub(crate) base_color_factor: Option<[f32; 4]>,
+    pub(crate) base_color_texture: Option<TextureUse>,
+    pub(crate) metallic_factor: Option<f32>,
+    pub(crate) roughness_factor: Option<f32>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct TextureUse {
-    pub(super) index: usize,
-    pub(super) tex_coord: u32,
+pub(crate) struct TextureUse {
+    pub(crate) index: usize,
+    pub(crate) tex_coord: u32,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Texture {
-    pub(super) source: Option<usize>,
+pub(crate) struct Texture {
+    pub(crate) source: Option<usize>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub(super) struct Image {
-    pub(super) name: Option<String>,
-    pub(super) uri: Option<String>,
-    pub(super) buffer_view: Option<usize>,
+pub(crate) struct Image {
+    pub(crate) name: Option<String>,
+    pub(crate) uri: Option<String>,
+    pub(crate) buffer_view: Option<usize>,
 }
 
 impl Root {
-    pub(super) fn parse(text: &[u8]) -> Result<Self, FigureError> {
+    pub(crate) fn parse(text: &[u8]) -> Result<Self, FigureError> {
         // A byte-order mark is not allowed, but some exporters write one.
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         let root: Self = serde_json::from_slice(text).map_err(|error| FigureError::Json(error.to_string()))?;
@@ -235,6 +239,6 @@ impl Root {
 }
 
 /// Element `index` of a list called `name`, or an error that says who asked.
-pub(super) fn at<'a, T>(list: &'a [T], index: usize, name: &str, place: &str) -> Result<&'a T, FigureError> {
+pub(crate) fn at<'a, T>(list: &'a [T], index: usize, name: &str, place: &str) -> Result<&'a T, FigureError> {
     list.get(index).ok_or_else(|| data(place, format!("points to {name}[{index}], but there are {}", list.len())))
 }

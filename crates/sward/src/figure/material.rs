@@ -2,7 +2,7 @@
 //!
 //! A texture is sampled once a corner, at its nearest texel: exact for palettes and flat colours, coarse for painted detail on large triangles.
 
-use image::{ImageFormat, ImageReader, Limits};
+use image::{DynamicImage, ImageFormat, ImageReader, Limits};
 use std::borrow::Cow;
 use std::io::Cursor;
 
@@ -18,18 +18,18 @@ const MOST_TEXELS: u64 = 1 << 27;
 const PAINT: [f32; 2] = [0.28, 0.05];
 
 /// A decoded picture, linear RGB.
-pub(super) struct Picture {
+pub(crate) struct Picture {
     size: [u32; 2],
     texels: Vec<[u8; 3]>,
 }
 
 /// What a primitive looks like.
-pub(super) struct Finish<'a> {
+pub(crate) struct Finish<'a> {
     factor: [f32; 4],
     texture: Option<&'a Picture>,
-    pub(super) surface: [f32; 2],
+    pub(crate) surface: [f32; 2],
     /// Which set of texture coordinates.
-    pub(super) coordinates: u32,
+    pub(crate) coordinates: u32,
 }
 
 fn linear(code: u8) -> f32 {
@@ -38,6 +38,11 @@ fn linear(code: u8) -> f32 {
 }
 
 impl Picture {
+    pub(super) fn of(image: DynamicImage) -> Self {
+        let picture = image.into_rgb8();
+        Self { size: [picture.width(), picture.height()], texels: picture.pixels().map(|pixel| pixel.0).collect() }
+    }
+
     /// Texel at (u, v), repeated.
     fn at(&self, uv: [f32; 2]) -> [f32; 3] {
         let along = |value: f32, size: u32| {
@@ -50,7 +55,7 @@ impl Picture {
 }
 
 /// The picture of a texture. Errors: in words that follow its name.
-fn decode(bytes: &[u8]) -> Result<Picture, String> {
+fn decode(bytes: &[u8]) -> Result<DynamicImage, String> {
     let known = image::guess_format(bytes).ok().filter(|format| matches!(format, ImageFormat::Png | ImageFormat::Jpeg));
     let format = known.ok_or("is neither a PNG nor a JPEG")?;
     let cannot = |error: image::ImageError| format!("cannot be decoded: {error}");
@@ -62,8 +67,7 @@ fn decode(bytes: &[u8]) -> Result<Picture, String> {
     let mut limits = Limits::default();
     (limits.max_image_width, limits.max_image_height) = (Some(LARGEST), Some(LARGEST));
     reader.limits(limits);
-    let picture = reader.decode().map_err(cannot)?.into_rgb8();
-    Ok(Picture { size: [width, height], texels: picture.pixels().map(|pixel| pixel.0).collect() })
+    reader.decode().map_err(cannot)
 }
 
 /// Pixels that a picture's header announces; 0 for what is no picture.
@@ -73,8 +77,8 @@ fn announced(bytes: &[u8]) -> u64 {
     size.map_or(0, |(width, height)| u64::from(width) * u64::from(height))
 }
 
-/// All pictures that base colours use, by image. How many pixels there are is looked at before any is decoded.
-pub(super) fn pictures(opened: &Opened<'_>) -> Result<Vec<Option<Picture>>, FigureError> {
+/// All pictures that base colours use, by image, as `made` of them. How many pixels there are is looked at before any is decoded.
+pub(crate) fn pictures<T>(opened: &Opened<'_>, made: impl Fn(DynamicImage) -> T) -> Result<Vec<Option<T>>, FigureError> {
     let root = &opened.root;
     let mut files: Vec<Option<Cow<'_, [u8]>>> = vec![None; root.images.len()];
     let mut texels = 0;
@@ -97,12 +101,13 @@ pub(super) fn pictures(opened: &Opened<'_>) -> Result<Vec<Option<Picture>>, Figu
     let picture = |(index, bytes): (usize, Option<Cow<'_, [u8]>>)| {
         let name = root.images[index].name.as_ref().map_or_else(String::new, |name| format!(" {name:?}"));
         let bad = |what| FigureError::Texture { image: format!("images[{index}]{name}"), what };
-        bytes.map(|bytes| decode(&bytes).map_err(bad)).transpose()
+        bytes.map(|bytes| decode(&bytes).map(&made).map_err(bad)).transpose()
     };
     files.into_iter().enumerate().map(picture).collect()
 }
 
-fn image_of(root: &Root, material: usize) -> Result<Option<usize>, FigureError> {
+/// The image that colours a material.
+pub(crate) fn image_of(root: &Root, material: usize) -> Result<Option<usize>, FigureError> {
     let place = format!("materials[{material}]");
     let Some(used) = &root.materials[material].pbr_metallic_roughness.base_color_texture else { return Ok(None) };
     let texture = at(&root.textures, used.index, "textures", &place)?;
@@ -111,7 +116,7 @@ fn image_of(root: &Root, material: usize) -> Result<Option<usize>, FigureError> 
 }
 
 /// What a primitive looks like; `None` without a material.
-pub(super) fn finish<'a>(
+pub(crate) fn finish<'a>(
     root: &Root,
     pictures: &'a [Option<Picture>],
     primitive: &Primitive,
@@ -131,7 +136,7 @@ pub(super) fn finish<'a>(
 }
 
 /// Colour (with its share of paint) and surface of a corner.
-pub(super) fn corner(finish: Option<&Finish<'_>>, uv: Option<[f32; 2]>, own: [f32; 4]) -> ([f32; 4], [f32; 2]) {
+pub(crate) fn corner(finish: Option<&Finish<'_>>, uv: Option<[f32; 2]>, own: [f32; 4]) -> ([f32; 4], [f32; 2]) {
     let Some(finish) = finish else { return ([0.6, 0.6, 0.6, 1.0], PAINT) };
     let texel = finish.texture.zip(uv).map_or([1.0; 3], |(picture, uv)| picture.at(uv));
     let colour = [0, 1, 2].map(|k| finish.factor[k] * texel[k] * own[k].clamp(0.0, 1.0));

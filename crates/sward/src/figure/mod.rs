@@ -9,16 +9,17 @@
 
 mod accessor;
 mod clip;
-mod container;
-mod error;
+pub(crate) mod container;
+pub(crate) mod error;
 mod hull;
-mod json;
-mod material;
+pub(crate) mod json;
+pub(crate) mod material;
 mod part;
+pub(crate) mod primitive;
 mod read;
 mod split;
 mod thin;
-mod tree;
+pub(crate) mod tree;
 
 use glam::DMat4;
 

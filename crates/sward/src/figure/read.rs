@@ -8,6 +8,7 @@ use super::container::Opened;
 use super::error::{FigureError, data};
 use super::json::{Primitive, at};
 use super::material::{Picture, corner, finish, pictures};
+use super::primitive::same_length;
 use super::tree::{Tree, tree};
 use super::{Clip, Figure, FigureVertex, Frame, MOST_FRAMES, MOST_TRIANGLES};
 
@@ -27,7 +28,7 @@ pub(super) fn figure(opened: &Opened<'_>) -> Result<Figure, FigureError> {
     let clips = Clip::all(opened, &tree)?;
     let mut gathered = Gathered {
         opened,
-        pictures: pictures(opened)?,
+        pictures: pictures(opened, Picture::of)?,
         frames: Vec::new(),
         skins: BTreeMap::new(),
         vertices: Vec::new(),
@@ -103,23 +104,6 @@ impl Gathered<'_> {
         Ok(known)
     }
 
-    /// Corners of the triangles of a primitive: strips and fans are opened, points and lines left out.
-    fn corners(&self, primitive: &Primitive, count: usize, place: &str) -> Result<Vec<[u32; 3]>, FigureError> {
-        let list: Vec<u32> = match primitive.indices {
-            Some(indices) => self.opened.integers::<1>(indices, 3 * MOST_TRIANGLES, place)?.into_iter().map(|[index]| index).collect(),
-            None => (0..count as u32).collect(),
-        };
-        if let Some(index) = list.iter().find(|index| **index as usize >= count) {
-            return Err(data(place, format!("has an index {index}, but {count} vertices")));
-        }
-        Ok(match primitive.mode.unwrap_or(4) {
-            4 => list.chunks_exact(3).map(|t| [t[0], t[1], t[2]]).collect(),
-            5 => list.windows(3).enumerate().map(|(k, t)| if k % 2 == 0 { [t[0], t[1], t[2]] } else { [t[1], t[0], t[2]] }).collect(),
-            6 => list.windows(2).skip(1).map(|pair| [list[0], pair[0], pair[1]]).collect(),
-            _ => Vec::new(),
-        })
-    }
-
     fn primitive(&mut self, primitive: &Primitive, first_frame: u16, joints: u32, place: &str) -> Result<(), FigureError> {
         let Some(position) = primitive.attributes.position else { return Ok(()) };
         let opened = self.opened;
@@ -133,7 +117,7 @@ impl Gathered<'_> {
         if positions.iter().flatten().any(|part| !(-FARTHEST..=FARTHEST).contains(part)) {
             return Err(data(format!("{place}.POSITION"), "has vertices beyond ±1e7 units"));
         }
-        let corners = self.corners(primitive, positions.len(), place)?;
+        let corners = opened.corners(primitive, positions.len(), 3 * MOST_TRIANGLES, place)?;
         let all = (self.triangles.len() + corners.len()) as u64;
         if all > MOST_TRIANGLES {
             return Err(too_many_triangles(all));
@@ -225,7 +209,3 @@ impl Gathered<'_> {
 type Followed = ([u16; 4], [f32; 4]);
 /// Texture coordinates and own colours of the vertices of a primitive.
 type Coloured = (Option<Vec<[f32; 2]>>, Option<Vec<[f32; 4]>>);
-
-fn same_length(found: usize, expected: usize, what: &str, place: &str) -> Result<(), FigureError> {
-    if found == expected { Ok(()) } else { Err(data(format!("{place}.{what}"), format!("has {found} elements for {expected} vertices"))) }
-}

@@ -23,7 +23,7 @@ pub enum Stance {
 }
 
 impl Stance {
-    pub(super) const IDENTITY: Self = Self::Parts { translation: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0], scale: [1.0; 3] };
+    pub(crate) const IDENTITY: Self = Self::Parts { translation: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0], scale: [1.0; 3] };
 
     /// As a matrix.
     pub fn matrix(&self) -> DMat4 {
@@ -50,16 +50,16 @@ pub struct Node {
 }
 
 /// Nodes in order, and where each of the file's nodes went.
-pub(super) struct Tree {
-    pub(super) nodes: Vec<Node>,
+pub(crate) struct Tree {
+    pub(crate) nodes: Vec<Node>,
     /// Place in `nodes` of each of the file's.
-    pub(super) place: Vec<u32>,
+    pub(crate) place: Vec<u32>,
     /// The file's nodes that belong to its scene, in order of `nodes`.
-    pub(super) shown: Vec<usize>,
+    pub(crate) shown: Vec<usize>,
 }
 
 /// A unit quaternion; none for zero.
-pub(super) fn unit(q: [f64; 4]) -> [f64; 4] {
+pub(crate) fn unit(q: [f64; 4]) -> [f64; 4] {
     let length = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
     if length > 1e-12 { q.map(|part| part / length) } else { [0.0, 0.0, 0.0, 1.0] }
 }
@@ -83,7 +83,7 @@ fn stance(node: &json::Node, index: usize) -> Result<Stance, FigureError> {
 }
 
 /// Puts parents before children. All nodes are kept, since joints may lie outside the scene; only the scene's are shown.
-pub(super) fn tree(root: &Root) -> Result<Tree, FigureError> {
+pub(crate) fn tree(root: &Root) -> Result<Tree, FigureError> {
     let count = root.nodes.len();
     if count as u64 > MOST_NODES {
         let instead = "join objects before exporting";

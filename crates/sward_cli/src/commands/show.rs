@@ -1,4 +1,4 @@
-//! `sward show`: what a scene contains and what it costs, without running it.
+//! `sward show`: what a scene contains and what it costs, without running it. What a plant's file holds is in `plant.rs`.
 
 use std::fmt::Write;
 
@@ -10,6 +10,7 @@ use sward::scene::{Flow, Interactor, Path, Precision, Scene, Shape, Terrain, Win
 use sward::state::Root;
 use sward::world::World;
 
+use super::plant;
 use crate::arguments;
 use crate::console::Console;
 use crate::failure::Failure;
@@ -22,6 +23,9 @@ const MEGABYTE: f64 = 1e6;
 
 /// Prints the page.
 pub(crate) fn run(arguments: &arguments::Show, console: &Console) -> Result<(), Failure> {
+    if let Some(page) = plant::page(&arguments.scene, console)? {
+        return console.answer(&page);
+    }
     let opened = scenes::open(&arguments.scene)?;
     let world = opened.world()?;
     console.answer(&page(&opened, &world))
@@ -81,7 +85,7 @@ fn page(opened: &Opened, world: &World) -> String {
     text
 }
 
-fn line(text: &mut String, label: &str, value: &str) {
+pub(super) fn line(text: &mut String, label: &str, value: &str) {
     // Writing to a String does not fail.
     let _ = writeln!(text, "{label:<10}{value}");
 }
@@ -360,7 +364,7 @@ fn metres(length: f64) -> String {
 }
 
 /// Digits in groups of three.
-fn grouped(number: u64) -> String {
+pub(super) fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let first = digits.len() % 3;
     let groups = std::iter::once(&digits[..first]).chain((first..digits.len()).step_by(3).map(|at| &digits[at..at + 3]));

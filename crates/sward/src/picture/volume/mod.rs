@@ -18,11 +18,12 @@ use std::sync::Arc;
 
 pub use inputs::Inputs;
 pub use room::Room;
-pub use stored::{NoStore, Store, StoredError, key_name};
+pub use stored::{StoredError, key_name};
 pub use uniform::AmbientUniform;
 
 use crate::shading::environment::Environment;
 use crate::shading::volume::Volume;
+pub use crate::store::{Found, NoStore, Store};
 use crate::world::World;
 
 /// The light of a scene with surroundings.
@@ -32,15 +33,6 @@ pub struct Lighting {
     pub environment: Arc<Environment>,
     /// What of their light arrives among the plants.
     pub volume: Volume,
-}
-
-/// How a volume was come by.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Found {
-    /// It was stored before.
-    pub stored: bool,
-    /// What went wrong with the store, in words; the volume is right all the same.
-    pub trouble: Vec<String>,
 }
 
 impl Lighting {

@@ -16,35 +16,6 @@ const VERSION: u32 = 1;
 /// Bytes before the texels.
 const HEAD: usize = MAGIC.len() + 4 + 16 + 12;
 
-/// Where volumes are kept from run to run; the core knows of no files.
-pub trait Store {
-    /// What is kept under a name: nothing, or its bytes; or why it cannot be read.
-    ///
-    /// # Errors
-    /// In words.
-    fn load(&self, name: &str) -> Result<Option<Vec<u8>>, String>;
-
-    /// Keeps bytes under a name: all of them or none.
-    ///
-    /// # Errors
-    /// In words.
-    fn save(&self, name: &str, bytes: &[u8]) -> Result<(), String>;
-}
-
-/// Keeps nothing.
-#[derive(Clone, Copy, Debug)]
-pub struct NoStore;
-
-impl Store for NoStore {
-    fn load(&self, _: &str) -> Result<Option<Vec<u8>>, String> {
-        Ok(None)
-    }
-
-    fn save(&self, _: &str, _: &[u8]) -> Result<(), String> {
-        Ok(())
-    }
-}
-
 /// The name a volume is kept under.
 pub fn key_name(key: u128) -> String {
     format!("{key:032x}.light")
