@@ -3,12 +3,14 @@
 mod fluids;
 mod limits;
 mod maps;
+mod specimens;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
 use limits::{Named, NamedComb};
+use specimens::Specimens;
 pub use maps::BodyMaps;
 
 use crate::figure::{Figure, FigureError};
@@ -22,10 +24,10 @@ use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::response::oscillator::OscillatorModel;
 use crate::response::springs::SpringsModel;
 use crate::scene::{
-    Area, GustFrom, MeshShape, Path as ScenePath, PlantMesh, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
+    Area, GustFrom, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
 use crate::shading::environment::Environment;
-use crate::specimen::Specimen;
+use crate::store::{NoStore, Store};
 use crate::state::{BodyState, Root};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::fluid::FluidSource;
@@ -35,6 +37,21 @@ use crate::wind::{Flow, Images, Source, Tile, WindField};
 pub trait Assets {
     /// The bytes of the file a scene names, or why it cannot be read.
     fn read(&self, path: &str) -> Result<Vec<u8>, String>;
+
+    /// Where what takes long to make is kept.
+    fn store(&self) -> &dyn Store {
+        &NoStore
+    }
+
+    /// Hears how far what takes long has come, 0 to 1; `what` is it, in words like "growing plants".
+    fn progress(&self, what: &'static str, share: f32) {
+        let _ = (what, share);
+    }
+
+    /// Hears of trouble that changes nothing.
+    fn note(&self, trouble: &str) {
+        let _ = trouble;
+    }
 }
 
 /// Largest file a scene may name, bytes.
@@ -299,11 +316,11 @@ fn placement_of(scene: &Scene, index: usize, species: &SpeciesModel) -> Placemen
 /// Stands of meshes.
 fn layered_stands(scene: &Scene, sources: &[Source], limits: &[Named], assets: &dyn Assets) -> Result<Vec<LayeredStand>, SceneError> {
     let dt = 1.0 / f64::from(scene.steps_per_second);
-    let mut stands = Vec::new();
+    let (mut stands, mut specimens) = (Vec::new(), Specimens::default());
     for (index, stand) in scene.stands.iter().enumerate() {
         let species = stand.resolve()?;
         let Some(layered) = species.layered.clone() else { continue };
-        let specimen = specimen_of(&layered.layers.mesh, index, assets)?;
+        let specimen = specimens.of(&layered.layers.mesh, index, assets)?;
         let places = stand.places.iter().filter_map(|place| place.height);
         let tallest = places.fold(species.height[1], crate::math::upper);
         let scale = tallest / specimen.high[1].max(1e-3);
@@ -321,15 +338,6 @@ fn layered_stands(scene: &Scene, sources: &[Source], limits: &[Named], assets: &
         });
     }
     Ok(stands)
-}
-
-/// The mesh of a stand, read or grown.
-fn specimen_of(mesh: &PlantMesh, _index: usize, _assets: &dyn Assets) -> Result<Arc<Specimen>, SceneError> {
-    let triangles = match mesh {
-        PlantMesh::Grown(grown) => grown.triangles,
-        PlantMesh::File(_) => 20000,
-    };
-    Ok(Arc::new(Specimen::stub(triangles)))
 }
 
 /// Whether a source of wind is not the same everywhere and for ever.

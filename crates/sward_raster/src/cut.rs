@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 use sward::picture::layers::CutUniform;
 use sward::shading::common::hash;
 use sward::shading::crown;
-use sward::specimen::{Finish, Kind, Specimen, unpacked};
+use sward::specimen::{Finish, Kind, Specimen};
 
 use crate::bins::{Bins, Rect, rects};
 use crate::each::each;
@@ -138,9 +138,8 @@ fn pieces(specimen: &Specimen, uniform: &CutUniform) -> Vec<Piece> {
                 let across = (x - left * z) / (side - left);
                 let down = (top * z - y) / (top - bottom);
                 let clip = Vec4::new(2.0 * (column * z + across) / columns - z, z - 2.0 * (row * z + down) / rows, 0.05, z);
-                let (normal, open, uv) = unpacked(&vertex);
-                let normal = uniform.place.transform_vector3(normal.into());
-                Corner { clip, place, normal, card: Vec3::new(uv[0], uv[1], open) }
+                let (normal, uv) = (uniform.place.transform_vector3(vertex.normal().into()), vertex.uv());
+                Corner { clip, place, normal, card: Vec3::new(uv[0], uv[1], vertex.shade()) }
             });
             let cell = (root * 512.0).floor().as_ivec3();
             let chance = hash(cell.x.wrapping_add(cell.y.wrapping_mul(7)), cell.z, 31);

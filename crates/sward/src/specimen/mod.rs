@@ -13,6 +13,7 @@
 mod components;
 mod error;
 mod finishes;
+mod levels;
 pub mod grow;
 mod progress;
 mod read;
@@ -26,6 +27,7 @@ mod write;
 use std::ops::Range;
 
 pub use error::SpecimenError;
+pub use levels::levels;
 pub use rule::Rule;
 pub use stored::StoredError;
 pub use vertex::SpecimenVertex;

@@ -47,7 +47,7 @@ pub(super) struct MeshOnGpu {
 impl MeshOnGpu {
     pub(super) fn new(gpu: &Gpu, specimen: &Specimen) -> Self {
         let pictures: Vec<wgpu::TextureView> = specimen.pictures.iter().map(|picture| texture(gpu, picture)).collect();
-        let white = texture(gpu, &Picture { size: [1, 1], rgba8: vec![255; 4] });
+        let white = texture(gpu, &Picture { size: [1, 1], texels: vec![[255; 4]] });
         let finishes = specimen.finishes.iter().map(|finish| {
             let wood = finish.kind == Kind::Wood;
             let picture = finish.picture.and_then(|picture| pictures.get(picture));
@@ -124,7 +124,7 @@ fn texture(gpu: &Gpu, picture: &Picture) -> wgpu::TextureView {
     for (level, picture) in levels.iter().enumerate() {
         gpu.queue.write_texture(
             wgpu::TexelCopyTextureInfo { mip_level: level as u32, ..texture.as_image_copy() },
-            &picture.rgba8,
+            picture.texels.as_flattened(),
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * picture.size[0]), rows_per_image: Some(picture.size[1]) },
             extent(picture.size),
         );
