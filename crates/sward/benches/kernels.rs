@@ -15,6 +15,7 @@ use sward::plan::StandPlan;
 use sward::response::StandModel;
 use sward::response::continuum::{Rest, Rows, bends, cascade, contact, limit_row, rates};
 use sward::scene::Scene;
+use sward::wind::fluid::{FluidSource, FluidState};
 use sward::world::World;
 
 /// Cells of a row.
@@ -182,5 +183,19 @@ fn plants(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(kernels, response, touch, plants);
+/// A step of air that flows, of the usual size and of the finest.
+fn air(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("air");
+    for side in [64_u32, 512] {
+        group.throughput(Throughput::Elements(u64::from(side * side)));
+        let fluid = FluidSource::new(&sward::scene::Fluid { cells: side, ..Default::default() }, 1.0 / 60.0, 0);
+        let mut flow = FluidState::still(side as usize);
+        (0..20).for_each(|step| fluid.step(&mut flow, &fluid.plan(step, std::iter::empty())));
+        let plan = fluid.plan(20, std::iter::empty());
+        group.bench_function(format!("step, {side} x {side}"), |bencher| bencher.iter(|| fluid.step(&mut flow, black_box(&plan))));
+    }
+    group.finish();
+}
+
+criterion_group!(kernels, response, touch, plants, air);
 criterion_main!(kernels);

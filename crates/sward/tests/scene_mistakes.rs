@@ -136,8 +136,14 @@ const AIR: &[Mistake] = &[
     ("(version: 1, wind: [Fluid(\n fade: 0)])", 2, 8, "`fade` is 0 s, allowed 0.05 to 60", ""),
     ("(version: 1, wind: [Fluid(\n viscosity: NaN)])", 2, 13, "`viscosity` is NaN m²/s, allowed 0 to 10", ""),
     ("(version: 1, wind: [Fluid(\n gust: [])])", 2, 2, "`Fluid` has no field `gust`", "did you mean `gusts`?"),
-    ("(version: 1, wind: [Fluid(gusts: [(\n from: Weast)])])", 2, 8, "`Weast` is not known as `GustFrom`", "did you mean `West`?"),
-    ("(version: 1, wind: [Fluid(gusts: [(from: Place(\n))])])", 2, 2, "`at` is missing in `GustPlace`", "at"),
+    (
+        "(version: 1, wind: [Fluid(gusts: [(\n from: Weast)])])",
+        2,
+        8,
+        "`Weast` is not known as `GustFrom`",
+        "known: West, East, North, South, Place",
+    ),
+    ("(version: 1, wind: [Fluid(gusts: [(from: Place(\n))])])", 2, 1, "`at` is missing in `Place`", "add `at: …`"),
     ("(version: 1, wind: [Fluid(gusts: [(\n strength: 1000)])])", 2, 12, "`strength` is 1000 m/s per s, allowed -100 to 100", ""),
     (
         "(version: 1, wind: [Fluid(side: 10, gusts: [(), (\n radius: 6)])])",

@@ -45,6 +45,7 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "footsteps" at 5.2;
     "stamp" at 7.3;
     "walkers" at 8.0;
+    "eddies" at 3.0;
 };
 
 /// The files that come with sward.

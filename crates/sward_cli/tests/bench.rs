@@ -58,6 +58,18 @@ fn blade_by_blade_has_stages_of_its_own() {
     assert!(table.contains("virtual blades") && table.contains("blades with a state") && !table.contains("wave"), "{table}");
 }
 
+/// So has air that flows.
+#[test]
+fn flowing_air_has_a_stage() {
+    let place = Place::new("bench_air");
+    let scene = "(version: 1, field: (patch_side: 8), stands: [(species: Meadow, cells: 8)], wind: [Fluid(cells: 16), Fluid(cells: 32)])";
+    place.write("air.ron", scene);
+    let table = place.sward(&["bench", "air.ron", "--steps", "3", "--warm-up", "1", "--size", "16x9", "--draw", "cpu"]).done();
+    assert!(table.contains("air that flows") && table.contains("wave"), "{table}");
+    let still = place.sward(&["bench", "lawn", "--steps", "1", "--warm-up", "0", "--size", "16x9", "--draw", "cpu"]).done();
+    assert!(!still.contains("air that flows"), "control: {still}");
+}
+
 #[test]
 fn the_threads_are_those_of_the_step() {
     let place = Place::with_small("bench_threads");

@@ -82,6 +82,7 @@ fn main() -> std::process::ExitCode {
         ("swing_touches", swings::touches),
         ("swing_runs", swings::run),
         ("swing_costs", swings::released_plants_cost_nothing),
+        ("air_solved", prepared::air_solved),
         ("swings_solved", prepared::swings_solved),
         ("sheets_solved", prepared::sheets_solved),
         ("sheets_stay_above_ground", prepared::sheets_stay_above_ground),

@@ -64,7 +64,7 @@ parameters! {
         /// Radius of what it pushes, at most half the side of the square.
         radius: f32 = 4.0, "m" in 0.1..=256.0;
         /// How fast air in the middle gains speed at the height of a pulse.
-        strength: f32 = 10.0, "m/s per s" in -100.0..=100.0;
+        strength: f32 = 20.0, "m/s per s" in -100.0..=100.0;
         /// Pulses a second; 0: it pushes evenly, with all its strength.
         frequency: f32 = 0.4, "Hz" in 0.0..=10.0;
         /// Where in a pulse it begins: 0 and 1 are its lull, 0.5 its height.

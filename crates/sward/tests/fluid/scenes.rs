@@ -44,7 +44,7 @@ fn a_wake_bends_grass_beside_the_track() {
     let (field, intervals) = wind(&with, 0.0);
     let behind = field.velocity_local(&field.patch_phases([0, 0], intervals), [0.5, 2.0]);
     println!("bent by {most:.3} rad beside the track, by {waves:.3} without air; air in it moves at {behind:?} m/s");
-    assert!(most > 0.02 && most > 5.0 * waves && behind[0] > 0.5, "control: the push of the truck alone hardly reaches there");
+    assert!(most > 0.05 && most > 2.0 * waves && behind[0] > 0.5, "control: the push of the truck alone hardly reaches there");
     let (field, intervals) = wind(&without, 0.0);
     assert_eq!(field.velocity_local(&field.patch_phases([0, 0], intervals), [0.5, 2.0]), [0.0; 2]);
 }

@@ -151,8 +151,17 @@ pub(crate) fn outputs_agree(gpu: &Gpu) -> Verdict {
 
 /// Stepped on the GPU, whose cells of the frame before are gone when the next is drawn. Control: the present moment for the one before.
 pub(crate) fn cells_of_the_gpu_are_remembered(gpu: &Gpu) -> Verdict {
-    let theirs = on_gpu(gpu, &worlds())?;
-    let mut world = world(CAR_PASS);
+    remembered(gpu, CAR_PASS)
+}
+
+/// Air that flows there, too.
+pub(crate) fn air_of_the_gpu_is_remembered(gpu: &Gpu) -> Verdict {
+    remembered(gpu, &CAR_PASS.replace("Natural(velocity: (4, 1))", "Fluid(velocity: (4, 1), cells: 32)"))
+}
+
+fn remembered(gpu: &Gpu, text: &str) -> Verdict {
+    let theirs = on_gpu(gpu, &worlds_of(text))?;
+    let mut world = world(text);
     let (mut step, mut studio) = (GpuStep::new(gpu, &world)?, Studio::new(gpu, &world)?);
     for (at, behind) in [FRAMES[0], (FRAMES[1].0, FRAMES[1].1)] {
         while world.state.step < at {

@@ -9,7 +9,7 @@ use sward::response::continuum::NODE_CELLS;
 use sward::scene::Scene;
 use sward::world::World;
 use sward_wgpu::compare::Tolerance;
-use sward_wgpu::compute::readback;
+use sward_wgpu::compute::{GpuStep, readback};
 use sward_wgpu::gpu::Gpu;
 use sward_wgpu::studio::{CellsAt, Studio};
 
@@ -94,6 +94,40 @@ pub(crate) fn plants_solved(gpu: &Gpu) -> Verdict {
     world.step();
     let [_, later] = on_cpu(&world, 0.0);
     ensure(judge("one step later", &own_joints, &later, &tolerance).is_err(), || "a step later looks the same".to_owned())
+}
+
+/// Plants in air that flows: from a CPU at the moment of a step and between two, and from a GPU that steps it. Control: the flow that the CPU holds while
+/// the GPU steps.
+pub(crate) fn air_solved(gpu: &Gpu) -> Verdict {
+    let text = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32)], wind: [Fluid(side: 12, cells: 32)],
+        budget: (patches: 9, focus_distance: 8.0, lag_distance: 6.0), camera: (eye: (0, 2, -4), target: (0, 0, 6)),
+        interactors: [(shape: Box(size: (1, 1, 2)), path: Circle(radius: 3.0, speed: 4.0))])";
+    let mut world = World::new(Scene::parse(text, "prepare.ron")?, &sward::model::NoAssets)?;
+    let mut step = GpuStep::new(gpu, &world)?;
+    for _ in 0..41 {
+        step.step(gpu, &mut world)?;
+    }
+    step.wait(gpu, &mut world)?;
+    let stale = world.state.fluids.clone();
+    let mut studio = Studio::new(gpu, &world)?;
+    let tolerance = Tolerance { p999: 2e-5, rms: 1e-2, outlier: 1e-4, share: 2e-4 };
+    let mut stepped = Vec::new();
+    for behind in [0.0, 0.4] {
+        studio.draw_before(gpu, &world, CellsAt::Gpu(&step), behind, [32, 18])?;
+        stepped.push((behind, solved(gpu, &studio)?));
+    }
+    step.download(gpu, &mut world)?;
+    for (behind, [plants, joints]) in stepped {
+        let [own_plants, own_joints] = on_cpu(&world, behind);
+        judge("plants in air", &own_plants, &plants, &tolerance)?;
+        judge("joints in air", &own_joints, &joints, &tolerance)?;
+        let [_, uploaded] = on_gpu(gpu, &world, behind)?;
+        judge("joints in uploaded air", &own_joints, &uploaded, &tolerance)?;
+    }
+    let [_, own_joints] = on_cpu(&world, 0.0);
+    world.state.fluids = stale;
+    let [_, still] = on_cpu(&world, 0.0);
+    ensure(judge("air as it was", &own_joints, &still, &tolerance).is_err(), || "still air looks the same".to_owned())
 }
 
 /// Plants that swing by themselves: held, let go and at rest, in gusts; at the moment of a step and between two.
