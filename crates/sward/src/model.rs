@@ -10,25 +10,25 @@ use std::path::Path;
 use std::sync::Arc;
 
 use limits::{Named, NamedComb};
-use specimens::Specimens;
 pub use maps::BodyMaps;
+use specimens::Specimens;
 
 use crate::figure::{Figure, FigureError};
 use crate::growth::{Growth, Limit};
 use crate::interaction::{FigureBody, Piece, pieces_of};
 use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
-use crate::response::harmonic::{HarmonicModel, LayeredStand};
 use crate::response::chain::ChainModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
+use crate::response::harmonic::{HarmonicModel, LayeredStand};
 use crate::response::oscillator::OscillatorModel;
 use crate::response::springs::SpringsModel;
 use crate::scene::{
     Area, GustFrom, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
 use crate::shading::environment::Environment;
-use crate::store::{NoStore, Store};
 use crate::state::{BodyState, Root};
+use crate::store::{NoStore, Store};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::fluid::FluidSource;
 use crate::wind::{Flow, Images, Source, Tile, WindField};

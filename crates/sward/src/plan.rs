@@ -9,8 +9,8 @@ use crate::interaction::solid::Solids;
 use crate::interaction::{Contact, ContactEdge, Footprint};
 use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
 use crate::wind::WindField;
-pub use layered::{Brush, LayeredPlan, TouchPlan};
 use crate::wind::fluid::FluidPlan;
+pub use layered::{Brush, LayeredPlan, TouchPlan};
 
 /// One step, planned.
 #[derive(Clone, Debug)]

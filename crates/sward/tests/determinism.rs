@@ -20,7 +20,7 @@ fn root() -> PathBuf {
 fn world(name: &str) -> World {
     let file = root().join("scenes").join(format!("{name}.ron"));
     let mut scene = Scene::parse(&std::fs::read_to_string(&file).expect("shipped"), name).expect("valid");
-    scene.stands.iter_mut().for_each(|stand| stand.cells = if stand.cells > 64 { 64 } else { 32 });
+    scene.stands.iter_mut().for_each(|stand| stand.cells = Some(if stand.cells() > 64 { 64 } else { stand.cells().min(32) }));
     scene.budget.focus_distance = 24.0;
     scene.budget.patches = 12;
     World::new(scene, &Folder(root())).expect("valid")

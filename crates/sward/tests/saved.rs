@@ -11,7 +11,7 @@ use sward::world::World;
 fn shipped(name: &str) -> World {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut scene = Scene::parse(&std::fs::read_to_string(root.join(format!("scenes/{name}.ron"))).unwrap(), name).unwrap();
-    scene.stands.iter_mut().for_each(|stand| stand.cells = 32);
+    scene.stands.iter_mut().for_each(|stand| stand.cells = Some(stand.cells().min(32)));
     scene.budget.patches = 12;
     World::new(scene, &Folder(root)).unwrap()
 }

@@ -51,7 +51,7 @@ fn the_field_of_the_paper_has_its_numbers() {
     let (file, text) = scenes.find(|(file, _)| file == "paper.ron").expect("shipped");
     let scene = Scene::parse(&text, &file).expect("valid");
     assert_eq!(scene.field.patches, Some([88, 88]));
-    let cell = scene.field.patch_side / scene.stands[0].cells as f32;
+    let cell = scene.field.patch_side / scene.stands[0].cells() as f32;
     assert!((cell - 0.4572).abs() < 1e-6, "{cell}");
 }
 

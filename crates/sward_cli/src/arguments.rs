@@ -93,10 +93,10 @@ pub(crate) enum Command {
 /// Where what takes long is kept from run to run.
 #[derive(Clone, Debug, Default, Args)]
 pub(crate) struct Caching {
-    /// Folder where the light of scenes with a picture of their surroundings is kept; by default sward in the user's cache folder
+    /// Folder where prepared plants, and the light of scenes with a picture of their surroundings, are kept; by default sward in the user's cache folder
     #[arg(long, value_name = "FOLDER")]
     pub(crate) cache: Option<PathBuf>,
-    /// Keep nothing: work that light out every time
+    /// Keep nothing: work all that out every time
     #[arg(long, conflicts_with = "cache")]
     pub(crate) no_cache: bool,
 }

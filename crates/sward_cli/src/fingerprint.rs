@@ -1,10 +1,18 @@
 //! A hash of a scene and of every file it names: whether the same would be simulated again.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::fmt;
 
 use sward::model::Assets;
 use sward::scene::Scene;
+use sward::store::Store;
+
+use crate::cache::Cache;
+use crate::console::Console;
+use crate::progress::Progress;
+
+/// Parts in which progress is told.
+const PARTS: u64 = 100;
 
 /// FNV-1a of 64 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,12 +39,16 @@ impl fmt::Display for Fingerprint {
 pub(crate) struct Witness<'a> {
     assets: &'a dyn Assets,
     seen: Cell<Fingerprint>,
+    cache: &'a Cache,
+    console: &'a Console,
+    /// What takes long, how many of its parts are done, and the bar that tells.
+    long: RefCell<Option<(&'static str, u64, Progress)>>,
 }
 
 impl<'a> Witness<'a> {
     /// Of a scene's files.
-    pub(crate) fn new(scene: &Scene, assets: &'a dyn Assets) -> Self {
-        Self { assets, seen: Cell::new(Fingerprint::of(scene)) }
+    pub(crate) fn new(scene: &Scene, assets: &'a dyn Assets, cache: &'a Cache, console: &'a Console) -> Self {
+        Self { assets, seen: Cell::new(Fingerprint::of(scene)), cache, console, long: RefCell::default() }
     }
 
     /// The fingerprint so far.
@@ -51,5 +63,26 @@ impl Assets for Witness<'_> {
         let length = (bytes.len() as u64).to_le_bytes();
         self.seen.set(self.seen.get().and(path.as_bytes()).and(&length).and(&bytes));
         Ok(bytes)
+    }
+
+    fn store(&self) -> &dyn Store {
+        self.cache
+    }
+
+    fn progress(&self, what: &'static str, share: f32) {
+        let mut long = self.long.borrow_mut();
+        if long.as_ref().is_none_or(|(other, done, _)| *other != what || *done == PARTS) {
+            *long = Some((what, 0, Progress::new(PARTS, what, self.console)));
+        }
+        if let Some((_, done, bar)) = &mut *long {
+            while *done < (share * PARTS as f32) as u64 {
+                bar.advance();
+                *done += 1;
+            }
+        }
+    }
+
+    fn note(&self, trouble: &str) {
+        self.console.note(trouble);
     }
 }

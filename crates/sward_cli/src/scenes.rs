@@ -6,6 +6,8 @@ use sward::model::{Assets, Folder};
 use sward::scene::Scene;
 use sward::world::World;
 
+use crate::cache::Cache;
+use crate::console::Console;
 use crate::failure::Failure;
 use crate::fingerprint::{Fingerprint, Witness};
 
@@ -94,14 +96,14 @@ pub(crate) struct Opened {
 
 impl Opened {
     /// The world at time 0.
-    pub(crate) fn world(&self) -> Result<World, Failure> {
-        Ok(self.world_and_fingerprint()?.0)
+    pub(crate) fn world(&self, cache: &Cache, console: &Console) -> Result<World, Failure> {
+        Ok(self.world_and_fingerprint(cache, console)?.0)
     }
 
     /// The world at time 0, and the fingerprint of the scene and of the files it was made of.
-    pub(crate) fn world_and_fingerprint(&self) -> Result<(World, Fingerprint), Failure> {
+    pub(crate) fn world_and_fingerprint(&self, cache: &Cache, console: &Console) -> Result<(World, Fingerprint), Failure> {
         let [text, file] = &self.source;
-        let witness = Witness::new(&self.scene, &*self.assets);
+        let witness = Witness::new(&self.scene, &*self.assets, cache, console);
         let world = World::new(self.scene.clone(), &witness).map_err(|error| error.located(text, file))?;
         Ok((world, witness.seen()))
     }

@@ -68,7 +68,13 @@ struct Piece {
 }
 
 /// Cuts a plant; `sight`: the light on it, which the sun's own cuts do without.
-pub(crate) fn cut(specimen: &Specimen, pictures: &[LeafPicture], uniform: &CutUniform, size: [u32; 2], sight: Option<&Sight<'_>>) -> CutTexture {
+pub(crate) fn cut(
+    specimen: &Specimen,
+    pictures: &[LeafPicture],
+    uniform: &CutUniform,
+    size: [u32; 2],
+    sight: Option<&Sight<'_>>,
+) -> CutTexture {
     let pieces = pieces(specimen, uniform);
     let pixels = Vec2::new(size[0] as f32, size[1] as f32);
     let tiles = size.map(|side| side.div_ceil(SIDE) as usize);

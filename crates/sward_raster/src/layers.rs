@@ -108,7 +108,8 @@ impl Layers {
             });
             Corner { place: corner.place, uv: corner.uv.into(), air }
         };
-        let corners: Vec<Corner> = (0..=rows).flat_map(|row| (0..=columns).map(move |column| (column, row))).map(|(c, r)| corner(c, r)).collect();
+        let corners: Vec<Corner> =
+            (0..=rows).flat_map(|row| (0..=columns).map(move |column| (column, row))).map(|(c, r)| corner(c, r)).collect();
         for row in 0..rows {
             for column in 0..columns {
                 let at = |dx: usize, dy: usize| corners[(row + dy) * (columns + 1) + column + dx];

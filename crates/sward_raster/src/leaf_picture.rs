@@ -16,7 +16,8 @@ fn linear(code: u8) -> f32 {
 impl LeafPicture {
     pub(crate) fn new(picture: &Picture) -> Self {
         let level = |picture: &Picture| {
-            let texels = picture.texels.iter().map(|[r, g, b, a]| Vec4::new(linear(*r), linear(*g), linear(*b), f32::from(*a) / 255.0)).collect();
+            let texels =
+                picture.texels.iter().map(|[r, g, b, a]| Vec4::new(linear(*r), linear(*g), linear(*b), f32::from(*a) / 255.0)).collect();
             (picture.size.map(|side| side as i32), texels)
         };
         Self { levels: levels(picture).iter().map(level).collect() }

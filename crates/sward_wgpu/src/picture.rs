@@ -232,7 +232,12 @@ impl Renderer {
             let layers = layers.as_ref().zip(ready_layers.as_ref());
             let blades = blades.as_ref().filter(|_| !ready_blades.0.is_empty());
             let pass = self.aov.get_or_insert_with(|| AovPass::new(gpu, frame, bodies));
-            pass.draw(gpu, &Drawn { frame, ground, bodies, plants, ready: &ready, blades, ready_blades: &ready_blades, layers }, before, size);
+            pass.draw(
+                gpu,
+                &Drawn { frame, ground, bodies, plants, ready: &ready, blades, ready_blades: &ready_blades, layers },
+                before,
+                size,
+            );
         }
         gpu.check()
     }

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use sward::picture::aov::Aov;
 use sward::picture::blade_plan::{self, BladePlan};
+use sward::picture::frame::FrameInput;
 use sward::picture::layers::{self, CutPlan, Origin};
 use sward::picture::plan::{BatchPlan, PatchDraw, Seen, plan, share};
-use sward::picture::frame::FrameInput;
 use sward::picture::prepare::PrepareUniform;
 use sward::picture::subject::{self, Frame};
 use sward::picture::volume::Lighting;

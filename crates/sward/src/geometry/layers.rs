@@ -56,10 +56,10 @@ impl Extent {
         })
     }
 
-    /// Half its depth along a direction: that of the egg within the box, beyond which hardly a leaf is.
+    /// Half its depth along a direction: a little less than that of the egg within the box, beyond which hardly a leaf is.
     fn depth(&self, along: Vec3) -> f32 {
         let [x, z] = self.axes;
-        Vec3::new(along.dot(x) * self.half.x, along.y * self.half.y, along.dot(z) * self.half.z).length()
+        0.85 * Vec3::new(along.dot(x) * self.half.x, along.y * self.half.y, along.dot(z) * self.half.z).length()
     }
 }
 
@@ -256,7 +256,9 @@ impl Moving<'_> {
         let most = side as f32 - 1.0;
         let from = at.map(|along| (along - 0.5).clamp(0.0, most));
         let corner = from.map(|along| along.floor().min(most - 1.0));
-        let cell = |dx: usize, dy: usize| cells.get((corner[1] as usize + dy) * side as usize + corner[0] as usize + dx).copied().unwrap_or_default();
+        let cell = |dx: usize, dy: usize| {
+            cells.get((corner[1] as usize + dy) * side as usize + corner[0] as usize + dx).copied().unwrap_or_default()
+        };
         let share = from[0] - corner[0];
         mix(mix(cell(0, 0), cell(1, 0), share), mix(cell(0, 1), cell(1, 1), share), from[1] - corner[1])
     }

@@ -22,7 +22,10 @@ pub(super) fn restored(stand: &LayeredStand, saved: LayeredState, most: u32, ste
     let model = &stand.harmonic;
     let side = model.cells as usize;
     let notes = saved.notes.len() == model.ring.notes as usize
-        && saved.notes.iter().all(|note| note.len() == side * side && note.iter().flatten().all(|part| (-FARTHEST..=FARTHEST).contains(part)));
+        && saved
+            .notes
+            .iter()
+            .all(|note| note.len() == side * side && note.iter().flatten().all(|part| (-FARTHEST..=FARTHEST).contains(part)));
     let touched = saved.pool.is_sound(most)
         && saved.since.len() == saved.pool.used() as usize
         && saved.pool.taken().all(|(_, place)| saved.touches.get(place as usize).is_some_and(|waves| plane(waves, TOUCH_SIDE as usize)))

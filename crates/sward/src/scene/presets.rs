@@ -135,7 +135,7 @@ impl Stand {
             },
             sheet,
             layered: self.layered(trail)?,
-            cells: self.cells.unwrap_or(if self.is_layered() { 8 } else { 128 }),
+            cells: self.cells(),
         })
     }
 

@@ -98,6 +98,12 @@ parameters! {
 }
 
 impl Stand {
+    /// Cells along a patch side.
+    #[must_use]
+    pub fn cells(&self) -> u32 {
+        self.cells.unwrap_or(if self.is_layered() { 8 } else { 128 })
+    }
+
     /// The stand's name, or its species in lower case.
     #[must_use]
     pub fn label(&self) -> String {

@@ -89,7 +89,7 @@ fn defaults_are_in_range() {
 
 #[test]
 fn a_problem_in_a_scene_built_in_code_names_the_path() {
-    let stand = Stand { cells: 100, ..Stand::default() };
+    let stand = Stand { cells: Some(100), ..Stand::default() };
     let error = Scene { stands: vec![Stand::default(), stand], ..Scene::default() }.validate().unwrap_err();
     assert_eq!(error.to_string(), "stands[1].cells: `cells` is 100, allowed are multiples of 8\n  help: 96 or 104");
     assert_eq!((error.line, error.span()), (0, 0..0));

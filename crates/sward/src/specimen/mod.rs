@@ -13,8 +13,8 @@
 mod components;
 mod error;
 mod finishes;
-mod levels;
 pub mod grow;
+mod levels;
 mod progress;
 mod read;
 mod rule;

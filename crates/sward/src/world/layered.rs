@@ -8,8 +8,8 @@ use glam::{DVec3, Vec3};
 
 use super::{World, blown_patches};
 use crate::geometry::layers::{Extent, Eye};
-use crate::interaction::solid::WorldSolid;
 use crate::interaction::Piece;
+use crate::interaction::solid::WorldSolid;
 use crate::math::clamped;
 use crate::placement::{Growing, grown, plant};
 use crate::plan::{Brush, LayeredPlan, TouchPlan};
@@ -224,7 +224,8 @@ impl World {
         let ground = [way(0), way(1)];
         let through = model.through(ground);
         let right = model.axes.right;
-        let wide = (if right[0] < 0.0 { -right[0] } else { right[0] }) * half[0] + (if right[2] < 0.0 { -right[2] } else { right[2] }) * half[2];
+        let wide =
+            (if right[0] < 0.0 { -right[0] } else { right[0] }) * half[0] + (if right[2] < 0.0 { -right[2] } else { right[2] }) * half[2];
         let cell = model.touch_cell;
         let most = f64::from(TOUCH_SIDE) as f32;
         Brush {

@@ -155,7 +155,9 @@ fn the_ring_remembers() {
         for step in 1..=steps {
             notes[ring.present(step) as usize] = step as f64;
             let known = (1.5 * rate).min(step as f64) as u64;
-            for ago in [0.0, 0.3, 1.0, 2.5, 0.4 * rate, 1.37 * rate].into_iter().filter(|ago| *ago < known as f64 - 2.0 * f64::from(ring.every)) {
+            for ago in
+                [0.0, 0.3, 1.0, 2.5, 0.4 * rate, 1.37 * rate].into_iter().filter(|ago| *ago < known as f64 - 2.0 * f64::from(ring.every))
+            {
                 let moment = ring.moment(step, ago as f32);
                 let [younger, older] = moment.notes.map(|note| notes[note as usize]);
                 let found = younger + (older - younger) * f64::from(moment.share);

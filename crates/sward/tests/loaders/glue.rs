@@ -62,7 +62,7 @@ pub(crate) fn stepped(world: &mut World) {
 /// The scene with less to do.
 pub(crate) fn smaller(scene: &mut Scene) {
     scene.stands.truncate(3);
-    scene.stands.iter_mut().for_each(|stand| stand.cells = stand.cells.min(16));
+    scene.stands.iter_mut().for_each(|stand| stand.cells = Some(stand.cells().min(16)));
     scene.budget.patches = scene.budget.patches.min(12);
     scene.budget.catch_up = scene.budget.catch_up.min(2);
 }

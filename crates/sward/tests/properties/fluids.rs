@@ -46,7 +46,7 @@ proptest! {
         let text = format!("(version: 1, interactors: [{}, {}])", body("Box(size: (0.1, 1, 30))"), body("Truck"));
         let mut scene = Scene {
             steps_per_second: rate,
-            stands: vec![Stand { species: Species::Meadow, cells: 8, ..Stand::default() }],
+            stands: vec![Stand { species: Species::Meadow, cells: Some(8), ..Stand::default() }],
             wind: fluids.into_iter().map(WindSource::Fluid).collect(),
             ..Scene::parse(&text, "air.ron").expect("valid")
         };

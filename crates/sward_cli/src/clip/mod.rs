@@ -26,7 +26,7 @@ const RATE: u32 = 24;
 /// Makes the clip that was asked for.
 pub(crate) fn run(arguments: &arguments::Render, opened: &Opened, console: &Console) -> Result<(), Failure> {
     let Wanted { file, folder, frames, rate } = Wanted::new(arguments, opened)?;
-    let (world, fingerprint) = opened.world_and_fingerprint()?;
+    let (world, fingerprint) = opened.world_and_fingerprint(&Cache::new(&arguments.caching), console)?;
     let settings = Settings::new(opened, fingerprint, arguments.size, rate, None);
     let checkpoint = Checkpoint::open(&folder, settings, arguments.save_every(), arguments.resume)?;
     let shots = render::shots(opened, frames, rate, &folder);

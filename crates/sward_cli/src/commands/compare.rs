@@ -10,7 +10,9 @@ use sward_wgpu::compare::{Deviation, Tolerance};
 use sward_wgpu::gpu::Gpu;
 
 use crate::arguments;
+use crate::arguments::Caching;
 use crate::backend::Backend;
+use crate::cache::Cache;
 use crate::commands::reference;
 use crate::console::Console;
 use crate::failure::Failure;
@@ -62,8 +64,8 @@ struct Row {
 pub(crate) fn run(arguments: &arguments::Compare, console: &Console) -> Result<(), Failure> {
     let Some(scene) = &arguments.scene else { return reference::run(console) };
     let opened = scenes::open(scene)?;
-    let mut cpu = opened.world()?;
-    let mut other = opened.world()?;
+    let mut cpu = opened.world(&Cache::new(&Caching::default()), console)?;
+    let mut other = opened.world(&Cache::new(&Caching::default()), console)?;
     if let Some(precision) = arguments.precision {
         other.scene.budget.precision = precision.into();
     }

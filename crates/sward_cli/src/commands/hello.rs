@@ -20,7 +20,7 @@ pub(crate) fn run(console: &Console) -> Result<(), Failure> {
     let path = PathBuf::from(format!("{SCENE}.png"));
     crate::output::picture(Some(&path), SCENE)?;
     let shot = render::single(&opened, None, 30, path.clone());
-    let world = opened.world()?;
+    let world = opened.world(&Cache::new(&Caching::default()), console)?;
     let done = render::draw(world, &[shot], None, None, SIZE, (Where::Auto, Draw::Auto), &Cache::new(&Caching::default()), console)?;
     let place = std::path::absolute(&path).unwrap_or(path);
     let [width, height] = SIZE;

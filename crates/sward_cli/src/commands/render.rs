@@ -82,7 +82,7 @@ pub(crate) fn run(arguments: &arguments::Render, console: &Console) -> Result<()
         return clip::run(arguments, &opened, console);
     }
     let rate = opened.scene.steps_per_second;
-    let (world, fingerprint) = opened.world_and_fingerprint()?;
+    let (world, fingerprint) = opened.world_and_fingerprint(&Cache::new(&arguments.caching), console)?;
     let outputs = Outputs::new(&arguments.aov, arguments.aov_format, &world)?;
     let (mut shots, sequence, place) = match &arguments.frames {
         None => {

@@ -12,6 +12,8 @@ use sward::world::World;
 
 use super::plant;
 use crate::arguments;
+use crate::arguments::Caching;
+use crate::cache::Cache;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::scenes::{self, Opened};
@@ -27,7 +29,7 @@ pub(crate) fn run(arguments: &arguments::Show, console: &Console) -> Result<(), 
         return console.answer(&page);
     }
     let opened = scenes::open(&arguments.scene)?;
-    let world = opened.world()?;
+    let world = opened.world(&Cache::new(&Caching::default()), console)?;
     console.answer(&page(&opened, &world))
 }
 

@@ -163,7 +163,7 @@ pub(crate) fn footsteps(gpu: &Gpu) -> Verdict {
     same_changed(gpu, "footsteps", 3.0, |scene| scene.budget.visible_blades = 60_000)?;
     same_changed(gpu, "footsteps", 3.0, |scene| {
         scene.stands[0].representation = None;
-        scene.stands[0].cells = 128;
+        scene.stands[0].cells = Some(128);
     })
 }
 
@@ -185,7 +185,7 @@ pub(crate) fn sheets(gpu: &Gpu) -> Verdict {
     same_changed(gpu, "hello", 6.2, |scene| sheets(scene, None))?;
     same_changed(gpu, "footsteps", 3.0, |scene| {
         sheets(scene, Some(Response::Oscillator(Default::default())));
-        scene.stands[0].cells = 128;
+        scene.stands[0].cells = Some(128);
     })?;
     same_changed(gpu, "hello", 3.0, |scene| sheets(scene, Some(Response::VirtualInertia(Default::default()))))
 }

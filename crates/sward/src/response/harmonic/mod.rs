@@ -24,9 +24,9 @@ mod warp;
 /// Waves in WGSL.
 pub const WGSL: &str = include_str!("harmonic.wgsl");
 
+pub use crate::state::Waves;
 pub use history::{Moment, REMEMBERED, Ring};
 pub use lag::{drifted, lags};
-pub use crate::state::Waves;
 pub use plane::HarmonicCoefficients;
 pub use stand::{HarmonicModel, LayeredStand};
 pub use step::{air, step_layered};

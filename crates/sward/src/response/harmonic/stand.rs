@@ -56,9 +56,8 @@ impl HarmonicModel {
         let (sine, cosine) = crate::math::sin_cos(heading);
         let axes = Axes { right: [cosine, 0.0, sine], up: [0.0, 1.0, 0.0], forward: [sine, 0.0, -cosine] };
         let cell = harmonic.side / harmonic.cells as f32;
-        let kernel = |cell: f32| {
-            HarmonicCoefficients::new(harmonic.speed, harmonic.frequency, harmonic.damping, harmonic.gain, cell, dt as f32)
-        };
+        let kernel =
+            |cell: f32| HarmonicCoefficients::new(harmonic.speed, harmonic.frequency, harmonic.damping, harmonic.gain, cell, dt as f32);
         let touch_cell = size[0].max(size[1]).max(0.05) / TOUCH_SIDE as f32;
         // Down to a thousandth; whatever is left then is cut off.
         let rate = std::f32::consts::TAU * harmonic.frequency * harmonic.damping.clamp(0.02, 1.0);

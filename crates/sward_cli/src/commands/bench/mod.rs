@@ -36,7 +36,7 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
         output::folder(folder, false)?;
     }
     let on = if arguments.on == Machine::Gpu { Where::Gpu } else { Where::Cpu };
-    let mut world = opened.world()?;
+    let mut world = opened.world(&Cache::new(&arguments.caching), console)?;
     if let Some(precision) = arguments.precision {
         world.scene.budget.precision = precision.into();
     }

@@ -5,8 +5,10 @@ mod manifest;
 
 use sward_wgpu::gpu::Gpu;
 
+use crate::arguments::Caching;
 use crate::arguments::{self, Machine};
 use crate::backend::Backend;
+use crate::cache::Cache;
 use crate::console::Console;
 use crate::failure::Failure;
 use crate::output;
@@ -25,7 +27,7 @@ pub(crate) fn run(arguments: &arguments::Simulate, console: &Console) -> Result<
     }
     let folder = &arguments.output;
     output::folder(folder, false)?;
-    let mut world = opened.world()?;
+    let mut world = opened.world(&Cache::new(&Caching::default()), console)?;
     let gpu = if arguments.on == Machine::Gpu { Some(Gpu::new()?) } else { None };
     let mut backend = match &gpu {
         Some(gpu) => Backend::on_gpu(gpu, &world)?,

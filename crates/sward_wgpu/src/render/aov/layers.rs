@@ -62,7 +62,8 @@ impl Layers {
             ready.waves.iter().zip(before.waves).map(|(now, then)| WaveBuffers::joined(gpu, encoder, now, then)).collect();
         let mut then = Vec::new();
         for (cut, layers) in ready.cuts().iter().zip(before.layers) {
-            let behind = ready.waves.get(cut.stand).map_or([0; 2], |now| [now.notes.size() / 8, now.touches.size() / 8].map(|cells| cells as u32));
+            let behind =
+                ready.waves.get(cut.stand).map_or([0; 2], |now| [now.notes.size() / 8, now.touches.size() / 8].map(|cells| cells as u32));
             then.extend(layers.iter().map(|draw| {
                 let [younger, older, touch, side] = draw.notes;
                 let touch = if touch == NONE { NONE } else { touch + behind[1] };
