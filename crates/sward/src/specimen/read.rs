@@ -96,6 +96,7 @@ pub(super) fn soup(opened: &Opened<'_>, rule: &Rule, progress: &mut Share<'_, '_
     if soup.triangles.is_empty() {
         return Err(FigureError::NoTriangles.into());
     }
+    soup.drop_empty_parts();
     // Pictures in the order in which finishes use them, each once.
     let mut place = vec![None; pictures.len()];
     for finish in &mut soup.finishes {
