@@ -96,6 +96,7 @@ pub(super) fn soup(opened: &Opened<'_>, rule: &Rule, progress: &mut Share<'_, '_
     if soup.triangles.is_empty() {
         return Err(FigureError::NoTriangles.into());
     }
+    soup.drop_empty_parts();
     // Pictures in the order in which finishes use them, each once.
     let mut place = vec![None; pictures.len()];
     for finish in &mut soup.finishes {
@@ -146,7 +147,9 @@ fn primitive(
     let plain = matrix == DMat4::IDENTITY;
     let positions = opened.vectors::<3>(position, &[3], 0.0, most, &format!("{place}.POSITION"))?;
     same_length(positions.len(), count, "POSITION", place)?;
-    for vertex in &kept {
+    let mut placing = progress.part(0.3, 0.5);
+    for (number, vertex) in kept.iter().enumerate() {
+        placing.item(number, kept.len());
         let own = positions[*vertex as usize];
         let moved = matrix.transform_point3(DVec3::from_array(own.map(f64::from)));
         if !moved.to_array().iter().all(|part| (-FARTHEST..=FARTHEST).contains(part)) {
@@ -157,7 +160,7 @@ fn primitive(
     drop(positions);
     soup.triangles(first, corners.into_iter());
     progress.done(2, 4);
-    normals(opened, standing, &kept, base, most, soup)?;
+    normals(opened, standing, &kept, base, most, soup, &mut progress.part(0.55, 0.75))?;
     progress.done(3, 4);
     let set =
         standing.primitive.material.and_then(|material| opened.root.materials[material].pbr_metallic_roughness.base_color_texture.as_ref());
@@ -165,7 +168,11 @@ fn primitive(
     if let Some(accessor) = coordinates {
         let uvs = opened.vectors::<2>(accessor, &[2], 0.0, most, &format!("{place}.TEXCOORD"))?;
         same_length(uvs.len(), count, "TEXCOORD", place)?;
-        kept.iter().enumerate().for_each(|(number, vertex)| soup.texture(base + number, uvs[*vertex as usize]));
+        let mut painting = progress.part(0.8, 1.0);
+        for (number, vertex) in kept.iter().enumerate() {
+            painting.item(number, kept.len());
+            soup.texture(base + number, uvs[*vertex as usize]);
+        }
     }
     progress.done(4, 4);
     Ok(())
@@ -179,6 +186,7 @@ fn normals(
     base: usize,
     most: u64,
     soup: &mut Soup,
+    progress: &mut Share<'_, '_>,
 ) -> Result<(), SpecimenError> {
     let place = &standing.place;
     let Some(accessor) = standing.primitive.attributes.normal else {
@@ -195,6 +203,7 @@ fn normals(
     // The columns of the inverse transpose, but for a factor.
     let turned = [y.cross(z) * sign, z.cross(x) * sign, x.cross(y) * sign];
     for (number, vertex) in kept.iter().enumerate() {
+        progress.item(number, kept.len());
         let own = given[*vertex as usize];
         let [a, b, c] = own.map(f64::from);
         let moved = (turned[0] * a + turned[1] * b + turned[2] * c).normalize_or_zero().to_array().map(|part| part as f32);

@@ -61,6 +61,15 @@ impl Soup {
         }
     }
 
+    /// Leaves out parts without triangles, and their finishes.
+    pub(super) fn drop_empty_parts(&mut self) {
+        let empty: Vec<bool> = self.parts.iter().map(|part| part.triangles.is_empty()).collect();
+        let mut of_finishes = empty.iter();
+        self.finishes.retain(|_| of_finishes.next() == Some(&false));
+        self.parts.retain(|part| !part.triangles.is_empty());
+        self.parts.iter_mut().enumerate().for_each(|(number, part)| part.finish = number);
+    }
+
     /// Gives a vertex its normal.
     pub(super) fn turn(&mut self, vertex: usize, normal: [f32; 3]) {
         self.vertices[vertex].normal = packed_normal(normal);

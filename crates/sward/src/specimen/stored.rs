@@ -32,6 +32,9 @@ pub enum StoredError {
     Damaged,
 }
 
+/// A finish: whether wood, colour, picture, cutoff, two-sided, name.
+type Look = (bool, [f32; 3], Option<u64>, f32, bool, String);
+
 /// What is not a long list.
 #[derive(Serialize, Deserialize)]
 struct Head {
@@ -42,8 +45,7 @@ struct Head {
     high: [f32; 3],
     /// First and one past the last triangle, finish.
     parts: Vec<(u32, u32, u64)>,
-    /// Whether wood, colour, picture, cutoff, two-sided, name.
-    finishes: Vec<(bool, [f32; 3], Option<u64>, f32, bool, String)>,
+    finishes: Vec<Look>,
     pictures: Vec<[u32; 2]>,
 }
 

@@ -59,7 +59,7 @@ fn list<const N: usize>(out: &mut impl Write, vertices: &[MeshVertex], pick: imp
     let mut bytes = Vec::with_capacity(4 * N * AT_ONCE);
     for vertices in vertices.chunks(AT_ONCE) {
         bytes.clear();
-        vertices.iter().flat_map(|vertex| pick(vertex)).for_each(|part| bytes.extend_from_slice(&part.to_le_bytes()));
+        vertices.iter().flat_map(&pick).for_each(|part| bytes.extend_from_slice(&part.to_le_bytes()));
         out.write_all(&bytes)?;
     }
     Ok(())

@@ -30,7 +30,7 @@ fn broken_plants_are_explained() {
         (changed("meshes", 0, "primitives", json!([])), "there are no triangles"),
         (changed("nodes", 0, "mesh", json!(5)), "nodes[0] points to meshes[5]"),
         (changed("accessors", 0, "count", json!(9)), "accessors[0] has 9 elements, which reach beyond"),
-        (changed("accessors", 1, "componentType", json!(5126)), "indices are needed"),
+        (changed("accessors", 1, "componentType", json!(5122)), "indices are needed"),
         (changed("meshes", 0, "primitives", json!([{"attributes": {"POSITION": 0, "TEXCOORD_0": 0}}])), "is of type `VEC3`"),
         (changed("meshes", 0, "primitives", json!([{"attributes": {"POSITION": 0}, "material": 3}])), "points to materials[3]"),
         (changed("nodes", 0, "scale", json!([1e8, 1, 1])), "beyond ±1e7"),
@@ -44,7 +44,7 @@ fn broken_plants_are_explained() {
 /// Copies count as often as they stand there, before anything is read.
 fn small_files_cannot_fill_all_memory() {
     let mut glb = boxes(&[json!({"name": "leaf"})]);
-    let indices = glb.accessor(&vec![0; 300_000], 5121, "SCALAR", 300_000);
+    let indices = glb.accessor(&[0, 1, 2].repeat(100_000), 5121, "SCALAR", 300_000);
     glb.json["meshes"][0]["primitives"][0]["indices"] = json!(indices);
     let primitive = glb.json["meshes"][0]["primitives"][0].clone();
     let copies = |glb: &mut crate::glb::Glb, count: usize| {
@@ -53,7 +53,7 @@ fn small_files_cannot_fill_all_memory() {
     };
     let found = copies(&mut glb, 1000);
     assert!(found.contains("100000000 triangles, at most 4494") && found.contains("join copies"), "{found}");
-    assert_eq!(copies(&mut glb, 2), "ready: 2 leaves", "control");
+    assert_eq!(copies(&mut glb, 2), "ready: 1 leaves", "control: both are in one place");
     let mut sparse = boxes(&[json!({"name": "leaf"})]);
     sparse.json["accessors"][0] = json!({"componentType": 5126, "type": "VEC3", "count": 100_000_000, "sparse":
         {"count": 0, "indices": {"bufferView": 0, "componentType": 5125}, "values": {"bufferView": 0}}});

@@ -32,6 +32,11 @@ impl Chance {
         low + (high - low) * self.next()
     }
 
+    /// Any angle, rad.
+    pub(super) fn turn(&mut self) -> f32 {
+        self.within(0.0, std::f32::consts::TAU)
+    }
+
     /// A vector with parts in −1..1.
     pub(super) fn vector(&mut self) -> Vec3 {
         let x = self.within(-1.0, 1.0);

@@ -59,7 +59,7 @@ impl Sink for Made<'_> {
         let due = (self.passed * self.density) as u64;
         let count = due - self.leaves;
         self.leaves = due;
-        let around = chance.within(0.0, 6.28);
+        let around = chance.turn();
         for number in 0..count {
             // One at the tip, the others at the golden angle round the branch.
             let share = 1.0 - (1.0 - from) * (number as f32 + 0.4 * chance.next()) / count as f32;
@@ -119,7 +119,7 @@ fn branch(plan: &Plan, own: &Branch, sink: &mut dyn Sink) {
     }
     let count = (level.children + chance.next()) as u32;
     let thickness = plan.levels[own.level + 1].thickness;
-    let around = chance.within(0.0, 6.28);
+    let around = chance.turn();
     for number in 0..count {
         let place = (number as f32 + chance.next()) / count as f32;
         let share = level.first + (0.98 - level.first) * place;

@@ -2,7 +2,7 @@
 
 use super::blade::Detail;
 use super::branch::Run;
-use crate::math::{exp_f64, ln_f64};
+use crate::math::{clamped, exp_f64, ln_f64};
 
 /// How branches of a level run, and what they bear.
 #[derive(Clone, Copy, Debug)]
@@ -78,15 +78,8 @@ fn twigs(triangles: u32, detail: Detail) -> f32 {
 /// The levels above limbs of a length, until twigs reach from one to the next in a crown of a volume.
 fn spray(limb: Level, limb_length: f32, twigs: f32, limbs: f32, volume: f32, rich: bool) -> Vec<Level> {
     let (count, each) = branching(twigs, limbs);
-    let reach = 1.7 * crate::math::cbrt(volume / twigs);
-    let ratio = power(reach / limb_length, 1.0 / count as f32);
-    let ratio = if ratio < 0.3 {
-        0.3
-    } else if ratio > 0.62 {
-        0.62
-    } else {
-        ratio
-    };
+    let reach = if rich { 2.2 } else { 1.7 } * crate::math::cbrt(volume / twigs);
+    let ratio = clamped(power(reach / limb_length, 1.0 / count as f32), 0.3, 0.62);
     let mut levels = vec![Level { children: each, ratio, leafy: if count == 1 { 0.45 } else { 0.0 }, ..limb }];
     for number in 0..count {
         let last = number + 1 == count;
@@ -136,7 +129,7 @@ pub(super) fn bush(triangles: u32) -> Plan {
         lean: 1.02,
         levels: spray(limb, 0.8, twigs, stems as f32, 0.95, rich),
         detail,
-        leaf_area: if rich { 6.0 } else { 5.0 },
+        leaf_area: if rich { 8.0 } else { 5.0 },
         half: 0.27,
         middle: 0.35,
         radius: 0.62,
@@ -187,7 +180,7 @@ pub(super) fn tree(triangles: u32) -> Plan {
         lean: 0.05,
         levels,
         detail,
-        leaf_area: if rich { 1.9 } else { 1.7 },
+        leaf_area: if rich { 3.2 } else { 1.8 },
         half: 0.3,
         middle: 0.58,
         radius: 0.36,

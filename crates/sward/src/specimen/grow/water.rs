@@ -62,9 +62,9 @@ const TIP: f32 = 0.1;
 
 /// Bends a ribbon to and fro, more towards its tip.
 fn waved(joints: &mut [Joint], chance: &mut Chance) {
-    let (aside, phase) = (chance.within(0.016, 0.045), chance.within(0.0, 6.28));
+    let (aside, phase) = (chance.within(0.016, 0.045), chance.turn());
     let waves = chance.within(5.0, 10.0);
-    let around = chance.within(0.0, 6.28);
+    let around = chance.turn();
     let count = joints.len() as f32 - 1.0;
     for (k, joint) in joints.iter_mut().enumerate() {
         let t = k as f32 / count;
@@ -150,7 +150,7 @@ impl Made {
             let rosettes = plan.ribbons.div_ceil(ROSETTE);
             let mut own = Chance::new(Chance::new(seed ^ 0x5eed).child(number / ROSETTE));
             let (start, _) = plan.spot(number / ROSETTE, rosettes, &mut own);
-            let out = ring(Vec3::Y, Vec3::X, number as f32 * GOLDEN + own.within(0.0, 6.28));
+            let out = ring(Vec3::Y, Vec3::X, number as f32 * GOLDEN + own.turn());
             let start = start + out * chance.within(0.004, 0.012);
             // The inner ones are young and upright, the outer long; at the surface they turn over and float.
             let age = chance.next();
