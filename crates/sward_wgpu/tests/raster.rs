@@ -21,6 +21,7 @@ fn main() -> std::process::ExitCode {
         ("deformed_sheets", rastered::deformed_sheets),
         ("combed", rastered::combed),
         ("surroundings", rastered::surroundings),
+        ("layers", rastered::layers),
     ];
     adapter::run(tests, |_, _| None)
 }

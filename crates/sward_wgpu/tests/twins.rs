@@ -21,6 +21,8 @@ mod glb;
 mod halves;
 #[path = "support/kernels.rs"]
 mod kernels;
+#[path = "support/layers.rs"]
+mod layers;
 #[path = "support/lit.rs"]
 mod lit;
 #[path = "support/maths.rs"]
@@ -47,6 +49,7 @@ fn main() -> std::process::ExitCode {
         ("wind_nodes_and_places", maths::wind_nodes_and_places),
         ("fluid_steps", fluids::steps),
         ("fluid_runs", fluids::runs),
+        ("layer_waves", layers::waves),
         ("terrain_heights", maths::terrain_heights),
         ("terrain_detail", maths::terrain_detail),
         ("terrain_edits", maths::terrain_edits),

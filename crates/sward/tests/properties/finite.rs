@@ -41,7 +41,12 @@ fn scene(response: ContinuumOverrides, cells: u32, rate: u32, gusts: [f32; 2]) -
     let body = |shape| Interactor { shape, path: Path::Driven(Driven::default()), ..Interactor::default() };
     let mut scene = Scene {
         steps_per_second: rate,
-        stands: vec![Stand { species: Species::Meadow, cells: Some(cells), response: Some(Response::Continuum(response)), ..Stand::default() }],
+        stands: vec![Stand {
+            species: Species::Meadow,
+            cells: Some(cells),
+            response: Some(Response::Continuum(response)),
+            ..Stand::default()
+        }],
         interactors: vec![body(Shape::Box(BoxShape { size: [1.5, 1.0, 2.5] })), body(Shape::Sphere(Sphere { radius: 0.8 }))],
         wind: vec![WindSource::Natural(sward::scene::Natural { velocity: gusts, turbulence: 1.0 })],
         ..Scene::default()

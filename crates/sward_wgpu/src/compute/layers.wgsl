@@ -16,8 +16,6 @@ struct Touched {
     unused: vec2<u32>,
 }
 
-const TOUCH_SIDE: u32 = 16u;
-
 @group(0) @binding(0) var<uniform> plane: PlaneStep;
 @group(0) @binding(1) var<uniform> wind: WindBlock;
 @group(0) @binding(2) var<storage, read> waves_now: array<vec2<f32>>;
@@ -52,21 +50,21 @@ fn plane_pass(@builtin(global_invocation_id) id: vec3<u32>) {
 @compute @workgroup_size(8, 8)
 fn plant_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     let plant = touched[id.z];
-    let first = plant.slot * TOUCH_SIDE * TOUCH_SIDE;
-    let at = first + id.y * TOUCH_SIDE + id.x;
+    let first = plant.slot * HARMONIC_TOUCH_SIDE * HARMONIC_TOUCH_SIDE;
+    let at = first + id.y * HARMONIC_TOUCH_SIDE + id.x;
     var here = vec2<f32>(0.0);
     var old = vec2<f32>(0.0);
     var around = vec2<f32>(0.0);
     if plant.fresh == 0u {
-        let last = TOUCH_SIDE - 1u;
+        let last = HARMONIC_TOUCH_SIDE - 1u;
         here = touch_now[at];
         old = touch_old[at];
         around = touch_now[select(at - 1u, at, id.x == 0u)] + touch_now[select(at + 1u, at, id.x == last)]
-            + touch_now[select(at - TOUCH_SIDE, at, id.y == 0u)] + touch_now[select(at + TOUCH_SIDE, at, id.y == last)];
+            + touch_now[select(at - HARMONIC_TOUCH_SIDE, at, id.y == 0u)] + touch_now[select(at + HARMONIC_TOUCH_SIDE, at, id.y == last)];
     } else {
         touch_now[at] = vec2<f32>(0.0);
     }
-    let middle = vec2<f32>(id.xy) + vec2<f32>(0.5 - 0.5 * f32(TOUCH_SIDE), 0.5);
+    let middle = vec2<f32>(id.xy) + vec2<f32>(0.5 - 0.5 * f32(HARMONIC_TOUCH_SIDE), 0.5);
     // The one that holds most.
     var held = vec3<f32>(0.0);
     for (var k = plant.brushes.x; k < plant.brushes.y; k++) {

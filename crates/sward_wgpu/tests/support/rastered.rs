@@ -7,7 +7,7 @@ use image::ImageEncoder;
 use libtest_mimic::Failed;
 use sward::model::{Assets, Folder};
 use sward::picture::Picture;
-use sward::scene::Scene;
+use sward::scene::{CameraKey, Scene};
 use sward::world::World;
 use sward_wgpu::gpu::Gpu;
 use sward_wgpu::studio::{CellsAt, Studio};
@@ -124,6 +124,20 @@ fn same_unlike(gpu: &Gpu, name: &str, seconds: f64, change: impl Fn(&mut Scene),
 
 pub(crate) fn hello(gpu: &Gpu) -> Verdict {
     same(gpu, "hello", 6.2)
+}
+
+/// Shrubs, without the meadow between them, while new cuts take over from older ones. Control: with all layers at the same place.
+pub(crate) fn layers(gpu: &Gpu) -> Verdict {
+    let change = |scene: &mut Scene| {
+        scene.stands.remove(0);
+        scene.camera.keys =
+            [(0.0, -1.6), (0.6, 1.6)].map(|(time, x)| CameraKey { time, eye: [x, 1.3, -1.6], target: [0.0, 0.8, 3.0] }).to_vec();
+    };
+    let still = |world: &mut World| {
+        world.state.layered.iter_mut().flat_map(|state| &mut state.notes).flatten().for_each(|wave| *wave = [0.0; 2]);
+    };
+    let [still, most] = same_unlike(gpu, "shrub", 0.5, change, still)?;
+    ensure(still > most, || format!("shrubs that stand still look the same: {still:.3} of 255"))
 }
 
 pub(crate) fn lawn(gpu: &Gpu) -> Verdict {

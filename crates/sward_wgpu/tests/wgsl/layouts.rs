@@ -2,6 +2,7 @@
 
 use std::mem::offset_of;
 
+use sward::geometry::layers::LayerDraw;
 use sward::growth::{GrowthBlock, GrowthRecord};
 use sward::interaction::solid::SolidHead;
 use sward::interaction::{Contact, ContactEdge};
@@ -9,9 +10,12 @@ use sward::picture::aov::AovUniform;
 use sward::picture::blade_plan::BladeUniform;
 use sward::picture::blades::Blade;
 use sward::picture::frame::FrameUniform;
+use sward::picture::layers::CutUniform;
 use sward::picture::volume::AmbientUniform;
 use sward::placement::PlacementParameters;
+use sward::plan::Brush;
 use sward::response::continuum::{Coefficients, LagCoefficients};
+use sward::response::harmonic::HarmonicCoefficients;
 use sward::response::oscillator::OscillatorCoefficients;
 use sward::shading::blade::BladeStyle;
 use sward::shading::look::{Style, Turf};
@@ -23,8 +27,10 @@ use sward_wgpu::compute::blades::{ChainPatch, ChainUniform};
 use sward_wgpu::compute::distance_maps::MapDraw;
 use sward_wgpu::compute::entries::{AwakePatch, StandUniform};
 use sward_wgpu::compute::fluid::FluidStep;
+use sward_wgpu::compute::layers::{PlaneStep, Touched};
 use sward_wgpu::compute::sheets::{SheetEntry, SheetStep, SheetUniform};
 use sward_wgpu::compute::swings::{SwingPatch, SwingStep, SwingUniform};
+use sward_wgpu::render::layers::FinishUniform;
 use sward_wgpu::render::plants::Plant;
 use sward_wgpu::render::prepare::{PatchDraw, PrepareUniform};
 
@@ -177,6 +183,17 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
             text_of("air that flows"),
             layout!(FluidStep { side, now, next, gusts, drags, cell, width, reach, lasts, fastest, share, unused }),
         ),
+        ("HarmonicCoefficients", text_of("waves of meshes"), layout!(HarmonicCoefficients { spread, restoring, damping, gain })),
+        ("HarmonicBrush", text_of("waves of meshes"), layout!(Brush { at, half as "half_size", velocity, through, hold })),
+        ("PlaneStep", text_of("waves of meshes"), layout!(PlaneStep { co, touch, side, note, unused })),
+        ("Touched", text_of("waves of meshes"), layout!(Touched { slot, fresh, wind, brushes, unused })),
+        (
+            "LayerDraw",
+            text_of("layers"),
+            layout!(LayerDraw { eye, right, up, forward, window, cell, root, plane, scale, cells, notes, which }),
+        ),
+        ("Cut", text_of("cut"), layout!(CutUniform { place, eye, right, up, forward, grid, crown, size, edges, depths })),
+        ("Finish", text_of("cut"), layout!(FinishUniform { colour, kind })),
         ("Stand", step(), stand),
         ("AwakePatch", step(), patch),
         ("PlacementParameters", prepare(), parameters),

@@ -17,6 +17,8 @@ const WIND_BLOCKS: &str = "@group(0) @binding(0) var<uniform> wind: WindBlock; @
 const FLUID_STUBS: &str = "fn fft_load(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); } fn fft_store(index: u32, value: vec2<f32>) {} \
     fn fft_turn(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); } fn fluid_flow(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 const CONTACT_STUB: &str = "fn contact_edge(index: u32) -> ContactEdge { var edge: ContactEdge; return edge; }";
+const LAYERS_STUBS: &str = "fn layers_note(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); } \
+    fn layers_touch(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 const SOLID_STUB: &str = "fn solid_plane(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }";
 const DISTANCE_MAP_STUB: &str = "fn distance_map_load(index: u32) -> vec4<f32> { return vec4<f32>(f32(index)); }";
 const SPRINGS_STUBS: &str = "fn springs_map(index: u32) -> DistanceMapHead { var head: DistanceMapHead; return head; }
@@ -44,6 +46,8 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("sum of the wind", vec![math::WGSL, WIND_STUB, WIND_BLOCKS, wind::WGSL, wind::TILED_SUM_WGSL]),
         ("sum of the wind, untiled", vec![math::WGSL, WIND_STUB, WIND_BLOCKS, wind::WGSL, wind::SUM_WGSL]),
         ("fluid", [&[math::WGSL, FLUID_STUBS], &wind::fluid::WGSL[..]].concat()),
+        ("harmonic", vec![sward::response::harmonic::WGSL]),
+        ("layers", vec![math::WGSL, LAYERS_STUBS, sward::geometry::layers::WGSL]),
         ("contact", vec![math::WGSL, CONTACT_STUB, interaction::WGSL]),
         ("continuum", continuum),
         ("growth", vec![GROWTH_STUBS, growth::WGSL]),

@@ -17,6 +17,7 @@ pub(crate) fn assembled() -> Vec<(&'static str, String)> {
     texts.push(("step sheet by sheet", compute::sheets::assembled()));
     texts.push(("step plant by plant", compute::swings::assembled()));
     texts.push(("distance maps", compute::distance_maps::assembled()));
+    texts.push(("waves of meshes", compute::layers::assembled()));
     texts.push(("air that flows", compute::fluid::assembled()));
     texts.push(("step blade by blade", compute::blades::assembled()));
     texts

@@ -16,6 +16,8 @@ struct HarmonicBrush {
     hold: f32,           // share of a cell's velocity that it sets in this step
 }
 
+// Cells along a side of a touched plant's plane.
+const HARMONIC_TOUCH_SIDE: u32 = 16u;
 // How fast leaves give way to the sides, over how fast a body comes through.
 const HARMONIC_PARTING: f32 = 0.5;
 
