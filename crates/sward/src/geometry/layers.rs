@@ -6,7 +6,7 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::response::harmonic::{Warp, offset};
+use super::warp::{Warp, offset};
 use crate::scene::Layers;
 use crate::state::{Cut, LayeredPlant};
 

@@ -12,4 +12,5 @@ pub mod relief;
 pub mod rings;
 pub mod sheet;
 pub mod truck;
+pub mod warp;
 mod wheel;

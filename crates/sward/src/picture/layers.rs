@@ -5,10 +5,11 @@
 use glam::{Mat3, Mat4, Vec3};
 
 use crate::geometry::layers::{Extent, LayerDraw, NONE, across, depths};
+use crate::geometry::warp::Warp;
 use crate::picture::frame::{FrameInput, sun_of};
 use crate::picture::identity::{Identity, number};
 use crate::picture::subject::SHADOW_REACH;
-use crate::response::harmonic::{LayeredStand, TOUCH_SIDE, Warp, lags};
+use crate::response::harmonic::{LayeredStand, TOUCH_SIDE, lags};
 use crate::scene::Follow;
 use crate::state::{Cut, LayeredPlant, LayeredState, PlantKey};
 use crate::world::World;

@@ -72,7 +72,7 @@ mod tests {
     fn leaves_do_not_thin_out() {
         let disc = |index: usize| {
             let (x, y) = ((index % 64) as f32 - 31.5, (index / 64 % 64) as f32 - 31.5);
-            let inside = (x.rem_euclid(9.0) - 4.5).hypot(y.rem_euclid(9.0) - 4.5) < 2.6;
+            let inside = (x.rem_euclid(9.0) - 4.5).hypot(y.rem_euclid(9.0) - 4.5) < 2.0;
             if inside { [40, 120, 20, 255] } else { [255, 0, 255, 0] }
         };
         let picture = Picture { size: [64, 64], texels: (0..64 * 64).map(disc).collect() };
@@ -85,7 +85,7 @@ mod tests {
             shown.for_each(|texel| assert!(texel[0] < 80 && texel[1] > 100, "{texel:?}"));
         }
         // Control: plain halves thin out.
-        let plain = half(&half(&picture));
+        let plain = half(&half(&half(&picture)));
         assert!(there(&plain, 1.0) < 0.6 * whole, "{}", there(&plain, 1.0));
     }
 }

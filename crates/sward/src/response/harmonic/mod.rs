@@ -9,7 +9,6 @@
 //! | `touch` | a small plane of one plant, for bodies and local winds |
 //! | `history`, `lag` | layers farther off show what the first one did some time ago |
 //! | `view` | the same velocity along the axes of a camera, by a rotation |
-//! | `warp` | how far a layer's picture is moved where |
 //! | `step` | a step of a stand, on the CPU |
 
 mod history;
@@ -19,7 +18,6 @@ mod stand;
 mod step;
 mod touch;
 mod view;
-mod warp;
 
 /// Waves in WGSL.
 pub const WGSL: &str = include_str!("harmonic.wgsl");
@@ -32,4 +30,3 @@ pub use stand::{HarmonicModel, LayeredStand};
 pub use step::{air, step_layered};
 pub use touch::{TOUCH_SIDE, step_touched};
 pub use view::{Axes, seen};
-pub use warp::{Warp, offset};

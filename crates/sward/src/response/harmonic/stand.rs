@@ -10,6 +10,7 @@ use super::plane::HarmonicCoefficients;
 use super::touch::TOUCH_SIDE;
 use super::view::Axes;
 use crate::growth::Growth;
+use crate::math::{clamped, lower, upper};
 use crate::placement::PlacementParameters;
 use crate::scene::{Harmonic, Layered, Layers, Place};
 use crate::specimen::Specimen;
@@ -58,9 +59,9 @@ impl HarmonicModel {
         let cell = harmonic.side / harmonic.cells as f32;
         let kernel =
             |cell: f32| HarmonicCoefficients::new(harmonic.speed, harmonic.frequency, harmonic.damping, harmonic.gain, cell, dt as f32);
-        let touch_cell = size[0].max(size[1]).max(0.05) / TOUCH_SIDE as f32;
+        let touch_cell = upper(upper(size[0], size[1]), 0.05) / TOUCH_SIDE as f32;
         // Down to a thousandth; whatever is left then is cut off.
-        let rate = std::f32::consts::TAU * harmonic.frequency * harmonic.damping.clamp(0.02, 1.0);
+        let rate = std::f32::consts::TAU * harmonic.frequency * clamped(harmonic.damping, 0.02, 1.0);
         let along = |velocity: [f32; 2]| velocity[0] * cosine + velocity[1] * sine;
         let turned = |source: &Source| match *source {
             Source::Uniform { velocity } => Source::Uniform { velocity: [along(velocity), 0.0] },
@@ -80,7 +81,7 @@ impl HarmonicModel {
             touch: harmonic.touch,
             ring: Ring::new(dt),
             speed: harmonic.speed,
-            settle: (7.0 / rate / dt as f32).min(1e6) as u32 + 1,
+            settle: lower(7.0 / rate / dt as f32, 1e6) as u32 + 1,
             deep: size[0],
             sources: sources.iter().map(turned).collect(),
             mean: along(wind),
