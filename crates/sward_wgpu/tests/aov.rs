@@ -27,6 +27,8 @@ fn main() -> std::process::ExitCode {
         ("blades_are_followed", outputs::blades_are_followed),
         ("outputs_of_blades_agree", outputs::outputs_of_blades_agree),
         ("cells_of_the_gpu_are_remembered", outputs::cells_of_the_gpu_are_remembered),
+        ("outputs_of_layers_agree", outputs::outputs_of_layers_agree),
+        ("waves_of_the_gpu_are_remembered", outputs::waves_of_the_gpu_are_remembered),
         ("air_of_the_gpu_is_remembered", outputs::air_of_the_gpu_is_remembered),
         ("cells_may_change_their_place", outputs::cells_may_change_their_place),
         ("edited_ground_is_no_motion", outputs::edited_ground_is_no_motion),

@@ -11,7 +11,7 @@ use sward_wgpu::studio::{CellsAt, Studio};
 
 use crate::adapter::{Verdict, ensure};
 use crate::edited;
-use crate::reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, deformed_pass, sheet_pass, world};
+use crate::reprojection::{CAR_PASS, FRAMES, LAYERS_PASS, Pair, SIZE, blade_pass, deformed_pass, sheet_pass, world};
 use crate::verdicts;
 
 /// The worlds of both frames, stepped on the CPU.
@@ -66,6 +66,16 @@ pub(crate) fn outputs_of_deformed_sheets_agree(gpu: &Gpu) -> Verdict {
 
 pub(crate) fn outputs_of_blades_agree(gpu: &Gpu) -> Verdict {
     passes_agree(gpu, "blades", &blade_pass())
+}
+
+/// Plants in layers, while new cuts take over.
+pub(crate) fn outputs_of_layers_agree(gpu: &Gpu) -> Verdict {
+    passes_agree(gpu, "layers", LAYERS_PASS)
+}
+
+/// Waves that a GPU holds.
+pub(crate) fn waves_of_the_gpu_are_remembered(gpu: &Gpu) -> Verdict {
+    remembered(gpu, LAYERS_PASS)
 }
 
 pub(crate) fn outputs_of_sheets_agree(gpu: &Gpu) -> Verdict {
