@@ -48,6 +48,10 @@ pub(crate) const SHIPPED: &[Shipped] = shipped! {
     "stamp" at 7.3;
     "walkers" at 8.0;
     "eddies" at 3.0;
+    "shrub" at 2.0;
+    "crown" at 3.0;
+    "aquarium" at 3.0;
+    "field" at 3.0;
 };
 
 /// The files that come with sward.

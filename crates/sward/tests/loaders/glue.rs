@@ -3,7 +3,7 @@
 use sward::model::Assets;
 use sward::picture::subject::Frame;
 use sward::response::springs::pool;
-use sward::scene::Scene;
+use sward::scene::{Grown, LayersOverrides, PlantMesh, Representation, Response, Scene};
 use sward::world::World;
 
 /// Files by name.
@@ -63,6 +63,24 @@ pub(crate) fn stepped(world: &mut World) {
 pub(crate) fn smaller(scene: &mut Scene) {
     scene.stands.truncate(3);
     scene.stands.iter_mut().for_each(|stand| stand.cells = Some(stand.cells().min(16)));
+    for stand in &mut scene.stands {
+        // A mesh of millions takes its time, and is no fault.
+        let small = PlantMesh::Grown(Grown { triangles: 2000, ..Grown::default() });
+        if stand.is_layered() {
+            let own = match &stand.representation {
+                Some(Representation::Layers(own)) => own.clone(),
+                _ => Default::default(),
+            };
+            let mesh = match &own.mesh {
+                Some(file @ PlantMesh::File(_)) => file.clone(),
+                _ => small,
+            };
+            stand.representation = Some(Representation::Layers(LayersOverrides { mesh: Some(mesh), distance: Some(20.0), ..own }));
+        }
+        if let Some(Response::Harmonic(own)) = &mut stand.response {
+            own.cells = Some(own.cells.unwrap_or(64).min(64));
+        }
+    }
     scene.budget.patches = scene.budget.patches.min(12);
     scene.budget.catch_up = scene.budget.catch_up.min(2);
 }

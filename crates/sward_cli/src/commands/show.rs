@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use sward::response::StandModel;
 use sward::response::chain::ChainModel;
+use sward::response::harmonic::LayeredStand;
 use sward::response::oscillator::{self, OscillatorModel};
 use sward::response::springs::{SpringsModel, pool};
 use sward::scene::{Flow, Interactor, Path, Precision, Scene, Shape, Terrain, WindSource};
@@ -44,10 +45,13 @@ fn page(opened: &Opened, world: &World) -> String {
         line(&mut text, "", &limits);
     }
     for (index, stand) in world.model.stands.iter().enumerate() {
-        let species = format!("{:?}", scene.stands[index].species).to_lowercase();
+        let species = format!("{:?}", scene.stands[stand.index].species).to_lowercase();
         text += &show_stand(world, index, stand, &species);
     }
-    if world.model.stands.is_empty() {
+    for stand in &world.model.layered {
+        text += &show_meshes(stand, &format!("{:?}", scene.stands[stand.index].species).to_lowercase());
+    }
+    if world.model.stands.is_empty() && world.model.layered.is_empty() {
         line(&mut text, "stands", "none: nothing grows");
     }
     text.push('\n');
@@ -125,6 +129,33 @@ fn limits(scene: &Scene) -> Option<String> {
     let named = counts.iter().filter(|(count, _)| *count > 0);
     let named: Vec<String> = named.map(|(count, name)| format!("{count} {name}{}", plural(*count as u32))).collect();
     (!named.is_empty()).then(|| format!("with {}", named.join(", ")))
+}
+
+/// A stand of meshes.
+fn show_meshes(stand: &LayeredStand, species: &str) -> String {
+    let mut text = String::new();
+    let (specimen, layers, model) = (&stand.specimen, stand.layers(), &stand.harmonic);
+    let [low, high] = stand.placement.height;
+    let plants = match stand.places.len() {
+        0 => format!("{} cells a patch side, cover {}", stand.placement.cells, stand.placement.cover),
+        count => format!("{count} plant{}", plural(count as u32)),
+    };
+    line(&mut text, "stand", &format!("{} ({species}): {plants}, {low} to {high} m high", stand.name));
+    let triangles = grouped(specimen.triangles.len() as u64);
+    line(
+        &mut text,
+        "",
+        &format!(
+            "meshes of {triangles} triangles, {} leaves, in {}-{}-{} layers",
+            grouped(specimen.leaves.into()),
+            layers.near,
+            layers.mid,
+            layers.far
+        ),
+    );
+    let (side, cells) = (model.cell * model.cells as f32, model.cells);
+    line(&mut text, "", &format!("sway with waves on a plane of {side} m, {cells} x {cells} cells, remembered for 1.5 s"));
+    text
 }
 
 fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) -> String {

@@ -11,7 +11,7 @@ fn counts(triangles: &[[Vec2; 3]], spoil: fn(&mut Triangle)) -> Vec<u32> {
     for corners in triangles {
         let mut triangle = Triangle::new(corners.map(|corner| corner.extend(0.5)), [1.0; 3]).expect("it has an area");
         spoil(&mut triangle);
-        let mut tile = Tile::new([0, 0]);
+        let mut tile: Tile = Tile::new([0, 0]);
         tile.draw(&triangle, |quad| Shaded { samples: quad.visible, ..Shaded::default() });
         let covered = tile.depths.iter().flatten().map(|depth| u32::from(*depth > 0.0));
         counts.iter_mut().zip(covered).for_each(|(count, covered)| *count += covered);
@@ -45,7 +45,7 @@ fn weights_are_in_perspective() {
         let clip = [corner(-0.9, -0.8, 1.0), corner(0.8, -0.7, 4.0), last];
         let place = |weights: Vec3| clip[0] * weights.x + clip[1] * weights.y + clip[2] * weights.z;
         let off = |weights: Vec3| (to_pixels(place(weights), size).truncate().fract() - 0.5).abs().max_element();
-        let mut tile = Tile::new([0, 0]);
+        let mut tile: Tile = Tile::new([0, 0]);
         let (mut lanes, mut worst, mut straight) = (0, 0.0_f32, 0.0_f32);
         clipped(clip, size, |triangle| {
             let mut flat = triangle.clone();
@@ -57,7 +57,7 @@ fn weights_are_in_perspective() {
                 }
                 Shaded { samples: quad.visible, ..Shaded::default() }
             });
-            Tile::new([0, 0]).draw(&flat, |quad| {
+            Tile::<Vec3>::new([0, 0]).draw(&flat, |quad| {
                 straight = straight.max(off(quad.weights[0]));
                 Shaded::default()
             });
@@ -70,7 +70,7 @@ fn weights_are_in_perspective() {
 #[test]
 fn what_is_in_front_stays() {
     let all = |depth: f32| [Vec2::new(-99.0, -99.0), Vec2::new(300.0, -99.0), Vec2::new(-99.0, 300.0)].map(|at| at.extend(depth));
-    let mut tile = Tile::new([0, 0]);
+    let mut tile: Tile = Tile::new([0, 0]);
     for (depth, colour) in [(0.5, Vec3::X), (0.2, Vec3::Y), (0.7, Vec3::Z)] {
         let triangle = Triangle::new(all(depth), [1.0; 3]).expect("it has an area");
         // The last one leaves out every other sample.

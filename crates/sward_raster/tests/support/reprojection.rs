@@ -42,14 +42,6 @@ fn sheets(kind: &str) -> String {
     CAR_PASS.replace("field_of_view: 0.75", "field_of_view: 0.63").replace("species: Meadow,", &format!("species: Meadow, {kind},"))
 }
 
-/// A shrub and a tree, no grass, in gusts and a ball that brushes past.
-pub(crate) const LAYERS_PASS: &str = r#"(version: 1, field: (patch_side: 16),
-    stands: [(species: Shrub, places: [(at: (-1, 5), height: 1.5), (at: (2, 7), height: 1.8)], representation: Layers(mesh: Grown(triangles: 6000))),
-        (species: Tree, places: [(at: (1, 14))], representation: Layers(mesh: Grown(form: Tree, triangles: 6000)))],
-    wind: [Natural(velocity: (7, 1), turbulence: 0.5)], terrain: Image(path: "assets/jacksboro.png", scale: 0.1),
-    interactors: [(name: "ball", shape: Sphere(radius: 0.4), path: Circle(centre: (-1, 5), radius: 0.9, speed: 3))],
-    camera: (keys: [(time: 0, eye: (-3, 2.0, 0), target: (-1, 1.0, 8)), (time: 1.5, eye: (0.5, 2.2, 0.5), target: (1.5, 1.0, 8))]))"#;
-
 /// Size of the pictures, pixels.
 pub(crate) const SIZE: [u32; 2] = [320, 180];
 /// The two frames, of 24 a second: whole steps, and how far before that the frame lies.

@@ -11,8 +11,16 @@ use sward_wgpu::studio::{CellsAt, Studio};
 
 use crate::adapter::{Verdict, ensure};
 use crate::edited;
-use crate::reprojection::{CAR_PASS, FRAMES, LAYERS_PASS, Pair, SIZE, blade_pass, deformed_pass, sheet_pass, world};
+use crate::reprojection::{CAR_PASS, FRAMES, Pair, SIZE, blade_pass, deformed_pass, sheet_pass, world};
 use crate::verdicts;
+
+/// A shrub and a tree, no grass, in gusts and a ball that brushes past.
+const LAYERS_PASS: &str = r#"(version: 1, field: (patch_side: 16),
+    stands: [(species: Shrub, places: [(at: (-1, 5), height: 1.5), (at: (2, 7), height: 1.8)], representation: Layers(mesh: Grown(triangles: 6000))),
+        (species: Tree, places: [(at: (1, 14))], representation: Layers(mesh: Grown(form: Tree, triangles: 6000)))],
+    wind: [Natural(velocity: (7, 1), turbulence: 0.5)], terrain: Image(path: "assets/jacksboro.png", scale: 0.1),
+    interactors: [(name: "ball", shape: Sphere(radius: 0.4), path: Circle(centre: (-1, 5), radius: 0.9, speed: 3))],
+    camera: (keys: [(time: 0, eye: (-3, 2.0, 0), target: (-1, 1.0, 8)), (time: 1.5, eye: (0.5, 2.2, 0.5), target: (1.5, 1.0, 8))]))"#;
 
 /// The worlds of both frames, stepped on the CPU.
 fn worlds() -> [World; 2] {

@@ -15,7 +15,7 @@ use crate::pictures::{SIZE, difference, golden, shipped, taken, taken_on_gpu, wo
 ///
 /// The same driver draws the same picture but for its version and the processor's vector width, which turn coverage samples at leaf
 /// edges; reed has the most edges, lawn the finest.
-const GOLDENS: [(&str, f64, u8, f64); 9] = [
+const GOLDENS: [(&str, f64, u8, f64); 12] = [
     ("hello", 5.2, 12, 0.01),
     ("lawn", 6.0, 12, 0.01),
     ("reed", 5.0, 16, 0.02),
@@ -25,6 +25,9 @@ const GOLDENS: [(&str, f64, u8, f64); 9] = [
     ("footsteps", 5.2, 16, 0.02),
     ("stamp", 7.3, 16, 0.02),
     ("walkers", 8.0, 16, 0.02),
+    ("shrub", 2.0, 16, 0.02),
+    ("crown", 3.0, 16, 0.02),
+    ("field", 3.0, 16, 0.02),
 ];
 
 fn one(gpu: &Gpu, which: usize) -> Verdict {
@@ -63,6 +66,18 @@ pub(crate) fn stamp(gpu: &Gpu) -> Verdict {
 /// Prints of skinned figures in short grass.
 pub(crate) fn walkers(gpu: &Gpu) -> Verdict {
     one(gpu, 8)
+}
+
+pub(crate) fn shrub(gpu: &Gpu) -> Verdict {
+    one(gpu, 9)
+}
+
+pub(crate) fn crown(gpu: &Gpu) -> Verdict {
+    one(gpu, 10)
+}
+
+pub(crate) fn field(gpu: &Gpu) -> Verdict {
+    one(gpu, 11)
 }
 
 /// Plants that swing by themselves, footprints among them.
