@@ -32,7 +32,7 @@ fn run(world: &mut World, steps: u32) -> u64 {
 #[test]
 fn continuing_equals_never_having_stopped() {
     let make = |name: &str| if name == "history" { small(", response: Continuum(lag: History)") } else { shipped(name) };
-    for name in ["hello", "crossing", "reed", "downwash", "history", "footsteps", "stamp", "walkers", "eddies"] {
+    for name in ["hello", "crossing", "reed", "downwash", "history", "footsteps", "stamp", "walkers", "eddies", "aquarium"] {
         let mut first = make(name);
         run(&mut first, 137);
         let saved = first.save();

@@ -43,7 +43,8 @@ fn plain(specimen: &Specimen) -> Mesh {
     // Buffers of a body are one piece: what does not fit is left out.
     let most = (240 << 20) / size_of::<Vertex>();
     if mesh.vertices.len() > most {
-        mesh.indices = mesh.indices.chunks_exact(3).filter(|corners| corners.iter().all(|at| (*at as usize) < most)).flatten().copied().collect();
+        mesh.indices =
+            mesh.indices.chunks_exact(3).filter(|corners| corners.iter().all(|at| (*at as usize) < most)).flatten().copied().collect();
         mesh.vertices.truncate(most);
     }
     mesh
@@ -98,11 +99,9 @@ fn main() {
             let plans = layers::plan(&world, 0.0, SIZE[1], &input);
             let mut renderer = Renderer::new(&gpu, &Setup::default()).expect("a renderer");
             let mesh = renderer.add_mesh(&gpu, &plain(&world.model.layered[0].specimen));
-            let transform = glam::Mat4::from_translation(glam::Vec3::new(
-                (0.0 - frame.corner[0]) as f32,
-                0.0,
-                (9.0 - frame.corner[1]) as f32,
-            )) * glam::Mat4::from_scale(glam::Vec3::splat(7.0 / world.model.layered[0].specimen.high[1]));
+            let transform =
+                glam::Mat4::from_translation(glam::Vec3::new((0.0 - frame.corner[0]) as f32, 0.0, (9.0 - frame.corner[1]) as f32))
+                    * glam::Mat4::from_scale(glam::Vec3::splat(7.0 / world.model.layered[0].specimen.high[1]));
             let body = Some(BodyDraw { mesh, transform, paint: [0.1; 3], ground: 0.0, number: 1 });
             let mut picture = Picture { gpu: &gpu, renderer, world: &world, frame, plans, step: &step, body };
             let layers = picture.plans[0][0].edges.len() - 1;

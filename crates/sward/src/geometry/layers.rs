@@ -56,6 +56,12 @@ impl Extent {
         })
     }
 
+    /// Half of what it takes along a direction, m.
+    pub(crate) fn along(&self, direction: Vec3) -> f32 {
+        let [x, z] = self.axes;
+        (direction.dot(x) * self.half.x).abs() + (direction.y * self.half.y).abs() + (direction.dot(z) * self.half.z).abs()
+    }
+
     /// Half its depth along a direction: a little less than that of the egg within the box, beyond which hardly a leaf is.
     fn depth(&self, along: Vec3) -> f32 {
         let [x, z] = self.axes;

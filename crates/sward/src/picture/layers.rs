@@ -191,14 +191,7 @@ fn suns(extent: &Extent, sun: Vec3) -> Cut {
     let eye = extent.centre + sun.as_dvec3() * SUN;
     let forward = -sun;
     let [right, up] = across(forward);
-    let mut half = [0.0_f32; 2];
-    for k in 0..8 {
-        let sign = |bit: usize| if k >> bit & 1 == 0 { -1.0 } else { 1.0 };
-        let [x, z] = extent.axes;
-        let corner = x * (sign(0) * extent.half.x) + Vec3::Y * (sign(1) * extent.half.y) + z * (sign(2) * extent.half.z);
-        half = [half[0].max(corner.dot(right).abs()), half[1].max(corner.dot(up).abs())];
-    }
-    let [x, y] = half.map(|half| 1.02 * half / SUN as f32);
+    let [x, y] = [right, up].map(|axis| 1.02 * extent.along(axis) / SUN as f32);
     // As fine as the shadow map.
     let pixels = SUN as f32 * crate::picture::frame::SHADOW_SIDE as f32 / (2.0 * SHADOW_REACH);
     Cut { eye: eye.to_array(), forward: forward.to_array(), window: [-x, -y, x, y], pixels, layers: [1, 0, 0], step: u64::MAX }

@@ -9,6 +9,8 @@ use super::{Area, Blade, Camera, Edit, FORMAT_VERSION, Interactor, Layered, Path
 
 type Checked = Result<(), Problem>;
 
+/// Tallest grass, m.
+const TALLEST: f32 = 5.0;
 /// Most parts of a compound.
 const MOST_PARTS: usize = 32;
 
@@ -110,6 +112,10 @@ fn stand(stand: &Stand, trail: &Trail) -> Checked {
     let model = stand.resolve_at(trail)?;
     if let Some(layered) = &model.layered {
         layered_stand(layered, trail)?;
+    }
+    if model.layered.is_none() && model.height[1] > TALLEST {
+        let message = format!("`height` is {} m, allowed 0.01 to {TALLEST}", model.height[1]);
+        return Err(Problem::at(trail.clone().key("height"), message).help("taller plants are meshes: `species: Shrub` or `Tree`"));
     }
     if model.height[0] > model.height[1] {
         let [low, high] = model.height;

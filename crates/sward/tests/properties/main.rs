@@ -15,6 +15,7 @@ mod fluids;
 mod footprints;
 mod growth;
 mod halved;
+mod layers;
 mod patches;
 mod placement;
 mod residents;

@@ -153,8 +153,14 @@ fn show_meshes(stand: &LayeredStand, species: &str) -> String {
             layers.far
         ),
     );
-    let (side, cells) = (model.cell * model.cells as f32, model.cells);
-    line(&mut text, "", &format!("sway with waves on a plane of {side} m, {cells} x {cells} cells, remembered for 1.5 s"));
+    let harmonic = &stand.layered.harmonic;
+    line(&mut text, "", &format!("swing at {} Hz, damping ratio {}, after a body or a gust", harmonic.frequency, harmonic.damping));
+    let (side, cells) = (harmonic.side, model.cells);
+    line(
+        &mut text,
+        "",
+        &format!("in waves of {} m/s on a plane of {side} m, {cells} x {cells} cells; 1.5 s of them are kept", harmonic.speed),
+    );
     text
 }
 

@@ -116,15 +116,17 @@ fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Re
     }
     let plan = stages.time("plan: bodies, wind, activation", || world.plan());
     // Of all stands together.
-    let names = ["rest", "contact", "wave", "upper segments", "virtual blades", "blades with a state", "air that flows"];
+    let names = ["rest", "contact", "wave", "upper segments", "virtual blades", "blades with a state", "waves of meshes", "air that flows"];
     let is_there = |kind: fn(&StandModel) -> bool| world.model.stands.iter().any(kind);
     let by_blade = is_there(|stand| stand.chain.is_some());
     let swinging = is_there(|stand| stand.oscillator.is_some());
     let deformed = is_there(|stand| stand.springs.is_some());
-    let continuum = is_there(|stand| stand.chain.is_none() && stand.settle().is_none()) || !(by_blade || swinging || deformed);
+    let nothing = world.model.stands.is_empty() && world.model.layered.is_empty();
+    let continuum = is_there(|stand| stand.chain.is_none() && stand.settle().is_none()) || nothing;
     let felt = continuum || swinging;
-    let shown = [felt, felt || deformed, continuum, continuum, by_blade, by_blade, !world.model.fluids.is_empty()];
-    let (mut spent, mut begun) = ([0.0; 7], Instant::now());
+    let [meshes, flows] = [!world.model.layered.is_empty(), !world.model.fluids.is_empty()];
+    let shown = [felt, felt || deformed, continuum, continuum, by_blade, by_blade, meshes, flows];
+    let (mut spent, mut begun) = ([0.0; 8], Instant::now());
     let summaries = world.respond_in_stages(&plan, &mut |stage| {
         spent[stage as usize] += 1e3 * begun.elapsed().as_secs_f64();
         begun = Instant::now();
