@@ -126,3 +126,47 @@ fn motion_leads_to_where_leaves_were() {
     println!("{count} pixels: followed {:.1}, in place {:.1}", led / f64::from(count), stayed / f64::from(count));
     assert!(count > 500 && led < 0.75 * stayed, "{count} {led} {stayed}");
 }
+
+/// Nothing pops: while new layers take over from older ones, pictures differ from the ones before hardly more than those of a camera that moves do anyway.
+/// Control: layers that are exchanged at once.
+#[test]
+fn layers_that_are_cut_anew_do_not_pop() {
+    let largest = |fade: f64| {
+        let text = format!(
+            "(version: 1, stands: [(species: Shrub, places: [(at: (0.0, 1.0), height: 1.5)], representation: Layers(fade: {fade}, mesh: Grown(triangles: 6000)))],
+            camera: (keys: [(time: 0, eye: (-0.3, 1.4, -2.6), target: (0, 0.8, 1)), (time: 6, eye: (0.3, 1.4, -2.6), target: (0, 0.8, 1))]), light: (clouds: 0))"
+        );
+        let start = world(&text, 60);
+        // When it is cut anew.
+        let mut scout = start.clone();
+        while scout.state.layered[0].cut < 2 {
+            scout.step();
+            assert!(scout.state.step < 400, "nothing was cut anew");
+        }
+        let turned = scout.state.step;
+        let mut world = start;
+        while world.state.step < turned - 12 {
+            world.step();
+        }
+        let studio = Studio::new(&world);
+        let (mut quiet, mut turning, mut last) = (0.0_f64, 0.0_f64, studio.draw(&world, SIZE));
+        while world.state.step < turned + 16 {
+            world.step();
+            let picture = studio.draw(&world, SIZE);
+            let off: u64 = picture.rgba8.iter().zip(&last.rgba8).map(|(a, b)| u64::from(a.abs_diff(*b)).pow(2)).sum();
+            let off = (off as f64 / picture.rgba8.len() as f64).sqrt();
+            if world.state.step >= turned {
+                turning = turning.max(off)
+            } else {
+                quiet = quiet.max(off)
+            }
+            last = picture;
+        }
+        (quiet, turning)
+    };
+    let (quiet, turning) = largest(0.2);
+    let (_, popping) = largest(0.0);
+    println!("rms from picture to picture: a moving camera {quiet:.2}, while layers take over {turning:.2}, at once {popping:.2}");
+    assert!(turning < 2.5 * quiet && turning < 0.4 * popping, "{turning} {quiet}");
+    assert!(popping > 4.0 * quiet, "control: {popping}");
+}
