@@ -105,16 +105,19 @@ fn main() {
             let body = Some(BodyDraw { mesh, transform, paint: [0.1; 3], ground: 0.0, number: 1 });
             let mut picture = Picture { gpu: &gpu, renderer, world: &world, frame, plans, step: &step, body };
             let layers = picture.plans[0][0].edges.len() - 1;
-            (picture.draw(true), picture.draw(false));
+            picture.draw(true);
+            picture.draw(false);
+            // Of millions a picture takes seconds.
+            let pairs = if triangles > 1_000_000 { 4 } else { PAIRS };
             let (mut ratios, mut between, mut anew, mut drawn) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-            for number in 0..PAIRS {
+            for number in 0..pairs {
                 let picture = std::cell::RefCell::new(&mut picture);
                 let [a, b] = pair(number, || picture.borrow_mut().draw(true), || picture.borrow_mut().draw(false));
                 ratios.push(a / b);
                 between.push(500.0 * a);
                 drawn.push(500.0 * b);
             }
-            for _ in 0..8 {
+            for _ in 0..pairs.min(8) {
                 picture.turn();
                 anew.push(1000.0 * picture.draw(true));
             }
