@@ -2,7 +2,7 @@
 //!
 //! Chen & Johan 2015, §3.2, §3.5 and §3.6; methods §5.
 
-use glam::{Mat3, Mat4, Vec3};
+use glam::{DVec3, Mat3, Mat4, Vec3};
 
 use crate::geometry::layers::{Extent, LayerDraw, NONE, across, depths};
 use crate::geometry::warp::Warp;
@@ -146,6 +146,7 @@ impl CutUniform {
 /// the sun, where it throws shadows.
 pub fn plan(world: &World, behind: f64, rows: u32, input: &FrameInput<'_>) -> [Vec<CutPlan>; 2] {
     let (sun, origin) = (sun_of(&input.light), Origin(input.origin));
+    let eye = input.view.position.as_dvec3() + DVec3::new(input.origin[0], 0.0, input.origin[1]);
     let focus = [0, 1].map(|axis| f64::from(input.focus[2 * axis]) + input.origin[axis]);
     let mut plans: [Vec<CutPlan>; 2] = Default::default();
     for (index, (stand, state)) in world.model.layered.iter().zip(&world.state.layered).enumerate() {
@@ -166,7 +167,9 @@ pub fn plan(world: &World, behind: f64, rows: u32, input: &FrameInput<'_>) -> [V
         for plant in state.near.values().flatten() {
             let extent = Extent::new(plant, stand.specimen.low, stand.specimen.high);
             let off = [plant.root[0] - focus[0], plant.root[2] - focus[1]].map(|metres| metres.abs() as f32);
-            if off[0].max(off[1]) < SHADOW_REACH + extent.radius() {
+            // What is left out for its distance throws no shadow, either.
+            let shown = (extent.centre - eye).length() as f32 - extent.radius() < stand.layers().distance;
+            if shown && off[0].max(off[1]) < SHADOW_REACH + extent.radius() {
                 plans[1].push(part.cut(plant, suns(&extent, sun), 1.0, 1.0, 0));
             }
         }
