@@ -9,6 +9,7 @@ use sward::specimen::{Finish, Kind, Specimen};
 use crate::bins::{Bins, Rect, rects};
 use crate::each::each;
 use crate::leaf_picture::LeafPicture;
+use crate::leaves::coverage;
 use crate::sight::{Sight, mix};
 use crate::tile::{Quad, SIDE, Shaded, Tile};
 use crate::triangle::{clipped, to_pixels};
@@ -191,10 +192,9 @@ impl Shading<'_> {
             let (place, card) = (between(lane, |corner| corner.place), between(lane, |corner| corner.card));
             let normal = between(lane, |corner| corner.normal);
             let behind = seen - self.piece.part[2];
-            let (sky, sun) = self.light(place, normal, card.z.max(0.0), texels[lane]);
+            let (sky, sun) = self.light(place, normal, card.z.clamp(0.0, 1.0), texels[lane]);
             shaded.colours[lane] = Sample { sky, sun, behind };
-            let samples = if alphas[lane] >= 1.0 { 15 } else { (1_u16 << (alphas[lane] * 4.0 + 0.5) as u32) - 1 };
-            shaded.samples |= samples << (4 * lane);
+            shaded.samples |= coverage(alphas[lane] - 0.125) << (4 * lane);
         }
         shaded
     }

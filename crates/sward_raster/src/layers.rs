@@ -8,7 +8,6 @@ use sward::geometry::layers::{LayerDraw, Moving};
 use sward::picture::aov::COVERAGE;
 use sward::picture::frame::{FrameUniform, SHADOW_SIDE};
 use sward::picture::layers::{CutKey, CutPlan, CutUniform, Origin};
-use sward::shading::common::hash;
 use sward::shading::foliage::MEAN_LIT;
 use sward::world::World;
 
@@ -16,6 +15,7 @@ use crate::bins::{Bins, Rect, rects};
 use crate::cut::{CutTexture, cut};
 use crate::ground::rect;
 use crate::leaf_picture::LeafPicture;
+use crate::leaves::coverage;
 use crate::shadows::{self, ShadowTile, TILE, TILES};
 use crate::sight::{Sight, mix};
 use crate::tile::{Quad, Shaded, Tile};
@@ -142,7 +142,8 @@ impl Layers {
             let weights = quad.weights[lane];
             let uv = mix(weights, &piece.corners.map(|corner| corner.uv.extend(0.0))).truncate();
             let [sky, sun] = texture.at(uv);
-            if sky.w < 0.125 {
+            let pixel = [quad.first[0] + lane as i64 % 2, quad.first[1] + lane as i64 / 2];
+            if sky.w < 0.125 || !shows(draw, pixel) {
                 continue;
             }
             let whole = 1.0 / sky.w.max(1e-3);
@@ -155,8 +156,7 @@ impl Layers {
             shaded.colours[lane] = air + (sky.xyz() + sun.xyz() * lit) * (whole * clear);
             let clip = sight.clip(place);
             depths[lane] = (clip.z / clip.w).clamp(0.0, 1.0);
-            let pixel = [quad.first[0] + lane as i64 % 2, quad.first[1] + lane as i64 / 2];
-            shaded.samples |= samples(draw, sky.w, pixel) << (4 * lane);
+            shaded.samples |= coverage(covers(draw, sky.w)) << (4 * lane);
         }
         (shaded, depths)
     }
@@ -242,16 +242,15 @@ fn behind(draw: &LayerDraw, place: Vec3, behind: f32) -> Vec3 {
     place + (place - Vec4::from(draw.eye).xyz()) * (behind / draw.eye[3])
 }
 
-/// Which samples of a pixel a layer covers.
-fn samples(draw: &LayerDraw, alpha: f32, [x, y]: [i64; 2]) -> u16 {
-    let chance = hash(x as i32, y as i32, draw.which[2] + 3);
-    let turn = (chance * 4.0) as u32;
-    let covered = (1_u16 << (alpha * 4.0 + 0.5) as u32) - 1;
-    let spread = ((covered << turn) | (covered >> (4 - turn))) & 15;
-    if draw.which[1] == 0 {
-        return spread;
-    }
-    let noise = hash(x as i32, y as i32, 77);
-    let arrived = (1_u16 << (draw.forward[3] * 4.0 + noise).clamp(0.0, 4.0) as u32) - 1;
-    spread & if draw.which[1] == 1 { arrived } else { 15 ^ arrived }
+/// The share of a pixel's samples that a layer is to cover. Equal shares are the same samples, so two layers that cover half of a pixel each would leave half
+/// of it empty: leaves cover what two layers of alpha cover together.
+fn covers(draw: &LayerDraw, alpha: f32) -> f32 {
+    if draw.which[3] == 0 { alpha - 0.125 } else { alpha * (2.0 - alpha) - 0.125 }
+}
+
+/// Whether a pixel is a layer's while one cut dissolves into another: pixel by pixel in Bayer's order.
+fn shows(draw: &LayerDraw, [x, y]: [i64; 2]) -> bool {
+    let spread = |bits: i64| (bits & 1) << 4 | (bits & 2) << 1 | (bits & 4) >> 2;
+    let arrived = (2 * spread(x ^ y) + spread(y)) as f32 + 0.5 < 64.0 * draw.forward[3];
+    draw.which[1] == 0 || arrived == (draw.which[1] == 1)
 }

@@ -216,7 +216,7 @@ pub struct LayerDraw {
     pub cells: [f32; 4],
     /// First cells of the younger and the older note; of the touched plant's own plane, or [`NONE`]; cells along a side of the waves.
     pub notes: [u32; 4],
-    /// Number of the plant; samples: 0 all, 1 those of what fades in, 2 those of what fades out; number of the layer; 0.
+    /// Number of the plant; samples: 0 all, 1 those of what fades in, 2 those of what fades out; number of the layer; 1 leaves, 0 wood.
     pub which: [u32; 4],
 }
 

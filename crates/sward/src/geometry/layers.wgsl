@@ -12,7 +12,7 @@ struct LayerDraw {
     scale: vec4<f32>,    // way for each m/s: right, up, shrinking; w = stiffness
     cells: vec4<f32>,    // cells of a metre; of a touched plant's; share of the older note; cells by which a look-up goes back along V
     notes: vec4<u32>,    // first cells of the two notes; first cell of the touched plant's plane or none; cells along a side
-    which: vec4<u32>,    // number of the plant; which samples: 0 all, 1 those that fade in, 2 those that fade out; layer
+    which: vec4<u32>,    // number of the plant; which samples: 0 all, 1 those that fade in, 2 those that fade out; layer; 1 leaves
 }
 
 const LAYERS_NONE: u32 = 0xffffffffu;

@@ -289,7 +289,7 @@ impl Part<'_> {
                 scale: [sx, sy, sz, warp.rigidity],
                 cells: [1.0 / model.cell, 1.0 / model.touch_cell, moment.share, back],
                 notes: [moment.notes[0] * area, moment.notes[1] * area, touch, model.cells],
-                which: [self.number(plant), samples, k as u32, 0],
+                which: [self.number(plant), samples, k as u32, u32::from(!wood)],
             }
         };
         (0..=count).map(layer).collect()

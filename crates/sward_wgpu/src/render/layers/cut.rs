@@ -9,7 +9,7 @@ use crate::render::{COLOUR, DEPTH, SAMPLES, Slot, Surroundings, entries, layout,
 /// Files of the shader, after the common ones.
 pub const PARTS: [&str; 1] = [include_str!("cut.wgsl")];
 
-/// Light of the sky, and light of the sun and depth, of all layers of a cut.
+/// Light of the sky and the share that is left uncovered, and light of the sun and depth, of all layers of a cut.
 pub(super) struct CutTexture {
     pub(super) sky: wgpu::TextureView,
     pub(super) sun: wgpu::TextureView,
@@ -34,6 +34,10 @@ impl CutPass {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
+        // Alpha says which samples are covered, and is no longer what they hold: nothing, where all others hold 1.
+        let covered = wgpu::BlendComponent { dst_factor: wgpu::BlendFactor::Zero, ..wgpu::BlendComponent::REPLACE };
+        let alpha = wgpu::BlendComponent { src_factor: wgpu::BlendFactor::Zero, ..covered };
+        let sky = wgpu::ColorTargetState { blend: Some(wgpu::BlendState { color: covered, alpha }), ..COLOUR.into() };
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("cut"),
             layout: Some(&pipeline_layout),
@@ -51,12 +55,12 @@ impl CutPass {
                 stencil: Default::default(),
                 bias: Default::default(),
             }),
-            multisample: wgpu::MultisampleState { count: SAMPLES, mask: !0, alpha_to_coverage_enabled: false },
+            multisample: wgpu::MultisampleState { count: SAMPLES, mask: !0, alpha_to_coverage_enabled: true },
             fragment: Some(wgpu::FragmentState {
                 module: &module,
                 entry_point: Some("layers_cut_fragment"),
                 compilation_options: Default::default(),
-                targets: &[Some(COLOUR.into()), Some(COLOUR.into())],
+                targets: &[Some(sky), Some(COLOUR.into())],
             }),
             multiview_mask: None,
             cache: None,
@@ -102,13 +106,14 @@ impl CutPass {
         let samples = [texture("samples of layers", COLOUR, SAMPLES, none), texture("samples of layers", COLOUR, SAMPLES, none)];
         let depth = texture("depth of layers", DEPTH, SAMPLES, none);
         let uniform = gpu.filled("cut", bytemuck::bytes_of(uniform), wgpu::BufferUsages::UNIFORM);
-        let clear = wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Discard };
-        let attachment = |view, resolve_target| {
-            Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: Some(resolve_target), ops: clear })
+        let attachment = |view, resolve_target, clear| {
+            let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Discard };
+            Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: Some(resolve_target), ops })
         };
+        let (uncovered, nothing) = (wgpu::Color::BLACK, wgpu::Color::TRANSPARENT);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("cut"),
-            color_attachments: &[attachment(&samples[0], &sky), attachment(&samples[1], &sun)],
+            color_attachments: &[attachment(&samples[0], &sky, uncovered), attachment(&samples[1], &sun, nothing)],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &depth,
                 depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard }),

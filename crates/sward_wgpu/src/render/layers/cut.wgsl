@@ -69,9 +69,8 @@ fn layers_cut_vertex(@location(0) position: vec3<f32>, @location(1) normal: vec4
 }
 
 struct CutPixel {
-    @location(0) sky: vec4<f32>, // light of the sky; 1
+    @location(0) sky: vec4<f32>, // light of the sky; the share of the pixel's samples to cover
     @location(1) sun: vec4<f32>, // light of the sun, where it shines; how far behind the layer it is
-    @builtin(sample_mask) samples: u32,
 }
 
 @fragment
@@ -90,7 +89,7 @@ fn layers_cut_fragment(point: CutPoint, @builtin(front_facing) front: bool) -> C
     let view = normalize(cut.eye.xyz - point.place);
     let outwards = (point.place - cut.crown.xyz) * cut.crown.w;
     let wood = finish.kind.x > 0.5;
-    let open = point.card.z;
+    let open = clamp(point.card.z, 0.0, 1.0); // a pixel's middle may lie outside of the triangle
     let own = normalize(point.normal + vec3<f32>(0.0, 1e-6, 0.0));
     let normal = select(shading_crown_normal(own, outwards / max(length(outwards), 1.0), view), own * select(-1.0, 1.0, dot(own, view) > 0.0), wood);
     let plain = finish.colour.rgb * texel.rgb;
@@ -98,7 +97,6 @@ fn layers_cut_fragment(point: CutPoint, @builtin(front_facing) front: bool) -> C
     let through = finish.kind.w;
     let sky = frame_crown_sky(albedo, normal, open, through, point.place);
     let sun = shading_crown_sun(albedo, normal, view, frame_light(), through);
-    // As many samples as the picture's alpha covers, the first ones: leaves behind show through the others.
-    let samples = select((1u << u32(alpha * 4.0 + 0.5)) - 1u, 15u, alpha >= 1.0);
-    return CutPixel(vec4<f32>(sky, 1.0), vec4<f32>(sun, point.card.w - point.part.z), samples);
+    // The nearest number of samples; leaves behind show through the others.
+    return CutPixel(vec4<f32>(sky, alpha - 0.125), vec4<f32>(sun, point.card.w - point.part.z));
 }

@@ -47,8 +47,9 @@ struct LayerTexel { sky: vec3<f32>, sun: vec3<f32>, alpha: f32, behind: f32 }
 fn layers_texel(uv: vec2<f32>) -> LayerTexel {
     let sky = textureSampleLevel(layer_sky, layer_sampler, uv, 0.0);
     let sun = textureSampleLevel(layer_sun, layer_sampler, uv, 0.0);
-    let whole = 1.0 / max(sky.a, 1e-3);
-    return LayerTexel(sky.rgb * whole, sun.rgb * whole, sky.a, sun.a * whole);
+    let alpha = 1.0 - sky.a; // cuts hold what they leave uncovered
+    let whole = 1.0 / max(alpha, 1e-3);
+    return LayerTexel(sky.rgb * whole, sun.rgb * whole, alpha, sun.a * whole);
 }
 
 // A point of frame space that lies `behind` a layer's point as its cut saw it.
@@ -56,38 +57,37 @@ fn layers_place(draw: LayerDraw, place: vec3<f32>, behind: f32) -> vec3<f32> {
     return place + (place - draw.eye.xyz) * (behind / draw.eye.w);
 }
 
-// Which samples of a pixel a layer covers: of as many as alpha says, those of its share while one cut fades into another.
-fn layers_samples(draw: LayerDraw, alpha: f32, pixel: vec2<i32>) -> u32 {
-    let chance = shading_hash(pixel.x, pixel.y, draw.which.z + 3u);
-    let turn = u32(chance * 4.0);
-    let covered = (1u << u32(alpha * 4.0 + 0.5)) - 1u;
-    let spread = ((covered << turn) | (covered >> (4u - turn))) & 15u;
-    if draw.which.y == 0u {
-        return spread;
-    }
-    let noise = shading_hash(pixel.x, pixel.y, 77u);
-    let arrived = (1u << u32(clamp(draw.forward.w * 4.0 + noise, 0.0, 4.0))) - 1u;
-    return spread & select(15u ^ arrived, arrived, draw.which.y == 1u);
+// Whether a pixel is a layer's while one cut dissolves into another: pixel by pixel in Bayer's order.
+fn layers_shows(draw: LayerDraw, pixel: vec2<u32>) -> bool {
+    let mixed = vec2<u32>(pixel.x ^ pixel.y, pixel.y) & vec2<u32>(7u);
+    let spread = (mixed & vec2<u32>(1u)) << vec2<u32>(4u) | (mixed & vec2<u32>(2u)) << vec2<u32>(1u) | (mixed & vec2<u32>(4u)) >> vec2<u32>(2u);
+    let arrived = f32(2u * spread.x + spread.y) + 0.5 < 64.0 * draw.forward.w;
+    return draw.which.y == 0u || arrived == (draw.which.y == 1u);
+}
+
+// The share of a pixel's samples that a layer is to cover. Devices give equal shares the same samples, so two layers that cover half of a pixel each would leave
+// half of it empty: leaves cover what two layers of alpha cover together.
+fn layers_covers(draw: LayerDraw, alpha: f32) -> f32 {
+    return select(alpha * (2.0 - alpha), alpha, draw.which.w == 0u) - 0.125;
 }
 
 struct LayerPixel {
-    @location(0) colour: vec4<f32>,
+    @location(0) colour: vec4<f32>, // a: the share of the pixel's samples to cover
     @builtin(frag_depth) depth: f32,
-    @builtin(sample_mask) samples: u32,
 }
 
 @fragment
 fn layers_fragment(point: LayerPoint) -> LayerPixel {
     let texel = layers_texel(point.uv);
-    if texel.alpha < 0.125 {
+    let draw = layers[point.index];
+    if texel.alpha < 0.125 || !layers_shows(draw, vec2<u32>(point.position.xy)) {
         discard;
     }
-    let draw = layers[point.index];
     let place = layers_place(draw, point.place, texel.behind);
     let lit = shadows_lit(shadows_place(place, 0.12), 2.2, SHADING_MEAN_LIT);
     let colour = point.air.rgb + (texel.sky + texel.sun * lit) * point.air.a;
     let clip = frame.view_projection * vec4<f32>(place, 1.0);
-    return LayerPixel(vec4<f32>(colour, 1.0), clamp(clip.z / clip.w, 0.0, 1.0), layers_samples(draw, texel.alpha, vec2<i32>(point.position.xy)));
+    return LayerPixel(vec4<f32>(colour, layers_covers(draw, texel.alpha)), clamp(clip.z / clip.w, 0.0, 1.0));
 }
 
 struct LayerShade {

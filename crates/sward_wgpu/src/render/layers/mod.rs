@@ -106,18 +106,18 @@ impl LayerPass {
         let main_layout =
             layout(device, "layers", &[&own[..], &[(2, Slot::ShadowMap), (3, Slot::Comparison)], slots(surroundings)].concat());
         let module = lit_shader(device, "layers", &PARTS, surroundings);
-        let parts = |label, layout, vertex, fragment| PipelineParts {
+        let parts = |label, layout, vertex, fragment, coverage| PipelineParts {
             label,
             module: &module,
             layout,
             vertex,
             buffers: &[],
             fragment: Some(fragment),
-            coverage: false,
+            coverage,
             depth_write: true,
         };
-        let main = main_pipeline(device, &parts("layers", &main_layout, "layers_vertex", "layers_fragment"));
-        let shadow = shadow_pipeline(device, &parts("layer shadows", &shadow_layout, "layers_shadow_vertex", "layers_shadow_fragment"));
+        let main = main_pipeline(device, &parts("layers", &main_layout, "layers_vertex", "layers_fragment", true));
+        let shadow = shadow_pipeline(device, &parts("layer shadows", &shadow_layout, "layers_shadow_vertex", "layers_shadow_fragment", false));
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("layers"),
             mag_filter: wgpu::FilterMode::Linear,
