@@ -12,6 +12,7 @@ use sward::shading::ground;
 use sward::shading::look::{Style, Turf};
 use sward::shading::sky::{air, backdrop};
 use sward::shading::volume::{Faces, facing, lit};
+use sward::shading::water::water;
 
 use crate::sight::Sight;
 
@@ -40,6 +41,7 @@ impl Sight<'_> {
     pub(crate) fn air(&self, ray: Vec3) -> Vec3 {
         match &self.surroundings {
             Some(around) => environment::air(&around.horizon(), ray),
+            None if self.frame.detail.w > 0.0 => water(ray, &self.light),
             None => air(ray, self.light.sun, self.haze()),
         }
     }
@@ -47,6 +49,9 @@ impl Sight<'_> {
     /// What is seen behind everything.
     pub(crate) fn backdrop(&self, ray: Vec3) -> Vec3 {
         let Some(around) = &self.surroundings else {
+            if self.frame.detail.w > 0.0 {
+                return water(ray, &self.light);
+            }
             return backdrop(ray, self.light.sun, self.haze(), self.frame.sun_colour.w, self.frame.phase.zw());
         };
         let [r, g, b, _] = around.uniform.disc;

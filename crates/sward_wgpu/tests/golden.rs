@@ -12,7 +12,24 @@ mod views;
 /// Software drivers and the pictures stored for each; every hardware driver draws its own. SwiftShader is slow, and two pictures hold
 /// what passes there: many segments, hills, two stands and a truck; one segment, level ground and a ball.
 const STORED: [(&str, &[&str]); 2] = [
-    ("llvmpipe", &["hello", "lawn", "reed", "crossing", "blades", "grassland", "footsteps", "stamp", "walkers", "shrub", "crown", "field"]),
+    (
+        "llvmpipe",
+        &[
+            "hello",
+            "lawn",
+            "reed",
+            "crossing",
+            "blades",
+            "grassland",
+            "footsteps",
+            "stamp",
+            "walkers",
+            "shrub",
+            "crown",
+            "field",
+            "aquarium",
+        ],
+    ),
     ("swiftshader", &["hello", "lawn"]),
 ];
 
@@ -30,6 +47,7 @@ fn main() -> std::process::ExitCode {
         ("golden_shrub", views::shrub),
         ("golden_crown", views::crown),
         ("golden_field", views::field),
+        ("golden_aquarium", views::aquarium),
         ("pictures_tell_what_matters", views::pictures_tell_what_matters),
         ("far_from_home", views::far_from_home),
         ("joints_stay_above_ground", views::joints_stay_above_ground),

@@ -66,6 +66,7 @@ fn main() -> std::process::ExitCode {
         ("patterns", shading::patterns),
         ("tones", shading::tones),
         ("skies", shading::skies),
+        ("waters", shading::waters),
         ("leaves", shading::leaves),
         ("cards_pixels", shading::cards_pixels),
         ("grounds", shading::grounds),

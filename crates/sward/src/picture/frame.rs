@@ -6,6 +6,7 @@ use crate::geometry::relief::ReliefFrame;
 use crate::growth::Near;
 use crate::shading::common::PERIOD;
 use crate::shading::sky::Light;
+use crate::shading::water;
 use crate::terrain::Terrain;
 
 /// Texels along each side of the sun's shadow map (`2048` in `shadows.wgsl`).
@@ -58,13 +59,25 @@ pub struct LightInput {
     pub exposure: f32,
     /// Cloud cover, 0..=1.
     pub clouds: f32,
+    /// Depth under water, m, 0..=40; 0 is in air.
+    pub water: f32,
     /// Light and exposure factor of a picture of the surroundings, which hold instead.
     pub surroundings: Option<(Light, f32)>,
 }
 
 impl Default for LightInput {
     fn default() -> Self {
-        Self { azimuth: 0.6, elevation: 0.22, strength: 1.0, haze: 0.3, fog: 0.0015, exposure: 0.0, clouds: 0.4, surroundings: None }
+        Self {
+            azimuth: 0.6,
+            elevation: 0.22,
+            strength: 1.0,
+            haze: 0.3,
+            fog: 0.0015,
+            exposure: 0.0,
+            clouds: 0.4,
+            water: 0.0,
+            surroundings: None,
+        }
     }
 }
 
@@ -134,7 +147,7 @@ pub struct FrameUniform {
     pub relief: Vec4,
     /// Columns, rows.
     pub relief_size: [u32; 4],
-    /// Noise on top: 1/wavelength, amplitude, roughness.
+    /// Noise on top: 1/wavelength, amplitude, roughness; w = depth under water, m, 0 in air.
     pub detail: Vec4,
     /// Way of the frame origin through its cell of the noise.
     pub detail_place: Vec4,
@@ -172,7 +185,12 @@ impl FrameUniform {
             ground: sun.ground.extend(1.0),
             relief: Vec4::from(relief.mapping),
             relief_size: [relief.size[0], relief.size[1], 0, 0],
-            detail: Vec4::new(relief.detail.inverse_wavelength, relief.detail.amplitude, relief.detail.roughness, 0.0),
+            detail: Vec4::new(
+                relief.detail.inverse_wavelength,
+                relief.detail.amplitude,
+                relief.detail.roughness,
+                if light.surroundings.is_some() { 0.0 } else { light.water },
+            ),
             detail_place: Vec4::new(relief.detail_anchor.1[0], relief.detail_anchor.1[1], 0.0, 0.0),
             detail_cell: {
                 let [x, z] = relief.detail_anchor.0;
@@ -192,7 +210,8 @@ pub fn sun_of(light: &LightInput) -> Vec3 {
 /// Sun and sky, and the factor on exposure.
 fn light_of(light: &LightInput) -> (Light, f32) {
     light.surroundings.unwrap_or_else(|| {
-        let sun = Light::new(light.azimuth, light.elevation, light.strength, light.haze, light.clouds);
+        let above = Light::new(light.azimuth, light.elevation, light.strength, light.haze, light.clouds);
+        let sun = if light.water > 0.0 { water::sunk(&above, light.water) } else { above };
         (sun, base_exposure(&sun))
     })
 }

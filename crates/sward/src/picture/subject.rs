@@ -69,7 +69,8 @@ pub fn bodies(world: &World, frame: &Frame, meshes: &[Option<usize>]) -> Vec<Bod
     for (index, mesh) in meshes.iter().enumerate() {
         if let (Some(mesh), Some(pose)) = (mesh, world.pose_before(index, frame.behind)) {
             let ground = world.model.terrain.height_at(pose.ground[0], pose.ground[1]) as f32;
-            let (transform, paint) = (frame.transform(&pose), PAINTS[index % PAINTS.len()]);
+            let transform = frame.transform(&pose);
+            let paint = world.scene.interactors.get(index).and_then(|body| body.colour).unwrap_or(PAINTS[index % PAINTS.len()]);
             draws.push(BodyDraw { mesh: *mesh, transform, paint, ground, number: index as u32 + 1 });
         }
     }
@@ -155,6 +156,7 @@ impl Frame {
                 fog: light.fog,
                 exposure: light.exposure,
                 clouds: light.clouds,
+                water: light.water,
                 surroundings: world
                     .model
                     .environment

@@ -19,6 +19,8 @@ parameters! {
         from: f64 = 0.0, "s" in 0.0..=1000000000.0;
         /// Time at which the body disappears.
         until: f64 = 1e9, "s" in 0.0..=1000000000.0;
+        /// Colour of its painted parts, linear RGB; without one, the next of six.
+        colour: Option<[f32; 3]> = None, "" in 0.0..=1.0;
         /// Whether the body pitches and rolls with the terrain.
         follow_ground: bool = true, "";
     }

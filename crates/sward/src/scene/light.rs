@@ -20,6 +20,8 @@ parameters! {
         exposure: f32 = 0.0, "EV" in -8.0..=8.0;
         /// Share of the sky covered by clouds.
         clouds: f32 = 0.4, "" in 0.0..=1.0;
+        /// Depth under water; 0 is in air. Water takes red away first, bends the sun's light down, and hides sky and hills. Set `fog` to how murky it is.
+        water: f32 = 0.0, "m" in 0.0..=40.0;
         /// A picture of the surroundings to take all light from.
         environment: Option<Environment> = None, "";
     }

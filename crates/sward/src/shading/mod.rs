@@ -16,6 +16,7 @@ pub mod ground;
 pub mod look;
 pub mod sky;
 pub mod volume;
+pub mod water;
 
 /// Noise, air, tone curve: what all other shading text uses.
 pub const COMMON_WGSL: &str = include_str!("common.wgsl");
@@ -32,7 +33,7 @@ pub const FOLIAGE_WGSL: &str = include_str!("foliage.wgsl");
 pub const BODY_WGSL: &str = include_str!("body.wgsl");
 
 /// All texts in the order they must be joined.
-pub const WGSL: [&str; 11] = [
+pub const WGSL: [&str; 12] = [
     COMMON_WGSL,
     SKY_WGSL,
     GRASS_WGSL,
@@ -44,4 +45,5 @@ pub const WGSL: [&str; 11] = [
     environment::WGSL,
     volume::WGSL,
     volume::lit::WGSL,
+    water::WGSL,
 ];

@@ -15,7 +15,7 @@ struct Frame {
     ground: vec4<f32>,    // rgb mean radiance of the ground; w = 1 where the shadow map is in use
     relief: vec4<f32>,    // terrain: xy = samples per metre, zw = sample position of the frame origin
     relief_size: vec4<u32>, // columns, rows
-    detail: vec4<f32>,      // noise on top: 1/wavelength, amplitude, roughness; w unused
+    detail: vec4<f32>,      // noise on top: 1/wavelength, amplitude, roughness; w = depth under water, m, 0 in air
     detail_place: vec4<f32>,// xy = way of the frame origin through its cell
     detail_cell: vec4<i32>, // xy = that cell; z = octaves, w = seed
     edit: vec4<f32>,        // what was added to the ground: x = samples per metre, zw = sample position of the frame origin

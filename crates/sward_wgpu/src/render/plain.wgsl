@@ -2,10 +2,16 @@
 
 // Colour that the air adds between the eye and far away, by direction of the ray.
 fn frame_air(ray: vec3<f32>) -> vec3<f32> {
+    if frame.detail.w > 0.0 {
+        return shading_water(ray, frame_light());
+    }
     return shading_air(ray, frame.sun.xyz, frame.sun.w);
 }
 
 fn frame_backdrop(ray: vec3<f32>) -> vec3<f32> {
+    if frame.detail.w > 0.0 {
+        return shading_water(ray, frame_light());
+    }
     return shading_backdrop(ray, frame.sun.xyz, frame.sun.w, frame.sun_colour.w, frame.phase.zw);
 }
 

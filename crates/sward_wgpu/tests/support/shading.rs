@@ -5,7 +5,7 @@ use sward::geometry::{billboard, blade, card, relief};
 use sward::math;
 use sward::shading::look::{Look, Style, Turf};
 use sward::shading::sky::Light;
-use sward::shading::{self, body, clump::Kind, common, foliage, grass, ground, sky};
+use sward::shading::{self, body, clump::Kind, common, foliage, grass, ground, sky, water};
 use sward::terrain::EditFrame;
 use sward_wgpu::compare::Tolerance;
 use sward_wgpu::gpu::Gpu;
@@ -117,6 +117,18 @@ pub(crate) fn skies(gpu: &Gpu) -> Verdict {
         let (haze, cover) = (random.float(0.0, 1.0), random.float(0.0, 1.0));
         let drift = Vec2::new(random.float(0.0, 256.0), random.float(0.0, 102.0));
         [sky::air(direction, sun, haze), sky::backdrop(direction, sun, haze, cover, drift)].map(|v| v.to_array()).concat()
+    })
+}
+
+/// Endless water in all directions.
+pub(crate) fn waters(gpu: &Gpu) -> Verdict {
+    let host = "fn twin() {
+        let light = next_light();
+        put_3(shading_water(next_3(), light));
+    }";
+    check(gpu, "water", host, By::Relative(FEW_ROUNDINGS, 0.1), |random| {
+        let light = light(random);
+        water::water(direction(random, -1.0), &light).to_array().to_vec()
     })
 }
 

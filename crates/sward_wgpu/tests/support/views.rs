@@ -15,7 +15,7 @@ use crate::pictures::{SIZE, difference, golden, shipped, taken, taken_on_gpu, wo
 ///
 /// The same driver draws the same picture but for its version and the processor's vector width, which turn coverage samples at leaf
 /// edges; reed has the most edges, lawn the finest.
-const GOLDENS: [(&str, f64, u8, f64); 12] = [
+const GOLDENS: [(&str, f64, u8, f64); 13] = [
     ("hello", 5.2, 12, 0.01),
     ("lawn", 6.0, 12, 0.01),
     ("reed", 5.0, 16, 0.02),
@@ -28,6 +28,7 @@ const GOLDENS: [(&str, f64, u8, f64); 12] = [
     ("shrub", 2.0, 16, 0.02),
     ("crown", 3.0, 16, 0.02),
     ("field", 3.0, 16, 0.02),
+    ("aquarium", 3.0, 16, 0.02),
 ];
 
 fn one(gpu: &Gpu, which: usize) -> Verdict {
@@ -78,6 +79,10 @@ pub(crate) fn crown(gpu: &Gpu) -> Verdict {
 
 pub(crate) fn field(gpu: &Gpu) -> Verdict {
     one(gpu, 11)
+}
+
+pub(crate) fn aquarium(gpu: &Gpu) -> Verdict {
+    one(gpu, 12)
 }
 
 /// Plants that swing by themselves, footprints among them.

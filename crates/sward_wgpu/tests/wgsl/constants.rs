@@ -41,6 +41,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("SHADING_SUN", Source("shading/sky.rs", "SUN")),
         ("SHADING_RAYLEIGH", Alone),
         ("SHADING_STRAW", Alone),
+        ("SHADING_SCATTERED", Alone),
         ("LIT_TOPS", Source("shading/volume/lit.rs", "TOPS")),
         ("LIT_LYING", Source("shading/volume/lit.rs", "LYING")),
         ("LIT_PASSED", Alone),

@@ -117,7 +117,8 @@ impl LayerPass {
             depth_write: true,
         };
         let main = main_pipeline(device, &parts("layers", &main_layout, "layers_vertex", "layers_fragment", true));
-        let shadow = shadow_pipeline(device, &parts("layer shadows", &shadow_layout, "layers_shadow_vertex", "layers_shadow_fragment", false));
+        let shadow =
+            shadow_pipeline(device, &parts("layer shadows", &shadow_layout, "layers_shadow_vertex", "layers_shadow_fragment", false));
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("layers"),
             mag_filter: wgpu::FilterMode::Linear,
