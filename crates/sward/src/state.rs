@@ -60,7 +60,7 @@ pub struct State {
 
 impl State {
     /// A fingerprint (FNV-1a) of the step, of the bits of both time levels of every awake patch on the CPU, stand by stand in key
-    /// order, and of the air that flows. Where a patch is stored does not matter. Equal states have equal fingerprints on every machine.
+    /// order, of the air that flows, and of how plants are cut. Where a patch is stored does not matter. Equal states have equal fingerprints on every machine.
     pub fn hash(&self) -> u64 {
         let mut hash = Fingerprint(0xcbf2_9ce4_8422_2325);
         hash.add(self.step as u32);
@@ -82,6 +82,11 @@ impl State {
             let planes = [&stand.waves].into_iter().chain(stand.pool.taken().filter_map(|(_, place)| stand.touches.get(place as usize)));
             let cells = planes.flat_map(|waves| waves.now.iter().chain(&waves.old));
             cells.flatten().chain(&stand.drift).for_each(|value| hash.add(value.to_bits()));
+            for (plant, cuts) in &stand.cuts {
+                let (patch, number) = plant;
+                [patch[0] as u32, patch[1] as u32, *number, cuts.now.step as u32].into_iter().for_each(|word| hash.add(word));
+                cuts.now.forward.iter().chain(&cuts.now.window).for_each(|value| hash.add(value.to_bits()));
+            }
         }
         for flow in self.fluids.iter().flat_map(|fluid| [&fluid.now, &fluid.before]) {
             flow.iter().flatten().for_each(|value| hash.add(value.to_bits()));

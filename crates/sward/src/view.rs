@@ -71,7 +71,8 @@ impl View {
         if (self.eye[1] - self.target[1]).abs() > length {
             return true;
         }
-        let half = (self.field_of_view * 1.25).min(1.5);
+        let wide = self.field_of_view * 1.25;
+        let half = if wide < 1.5 { wide } else { 1.5 };
         let (sine, cosine) = math::sin_cos_f64(half);
         let along = (to[0] * look[0] + to[1] * look[1]) / length;
         let across = (to[0] * look[1] - to[1] * look[0]).abs() / length;

@@ -102,6 +102,38 @@ fn fails_with_bodies_and_terrains_that_cannot_be_read() {
 }
 
 #[test]
+fn fails_with_plants_that_cannot_be_read_or_cut() {
+    let place = Place::new("plants");
+    place.sward(&["grow", "bush", "--triangles", "2000"]).done();
+    let whole = std::fs::read(place.0.join("bush.glb")).expect("just written");
+    place.write("plants/bush.glb", &whole);
+    place.write("plants/cut.glb", &whole[..5000]);
+    place.write("plants/text.glb", "no plant");
+    let scene = |layers: &str| {
+        format!("(\n version: 1,\n stands: [(species: Shrub, places: [(at: (0, 2), height: 1.5)],\n  representation: Layers({layers}))])")
+    };
+    let file = |more: &str| format!("mesh: File(path: \"plants/{more})");
+    for (layers, words) in [
+        (file("gone.glb\""), &["plant.ron:4:", "plants/gone.glb", "cannot be read", "type a path from the scene's folder"][..]),
+        (file("cut.glb\""), &["plants/cut.glb", "its header announces", "there are 5000", "copy or export it again"]),
+        (file("text.glb\""), &["plants/text.glb", "not a whole glTF 2.0 file"]),
+        (file("bush.glb\", leaves: [\"Leves\"]"), &["no material is called `Leves`", "known: leaves"]),
+        (file("bush.glb\", leaves: [\"bark\"], wood: [\"bark\"]"), &["`bark` is said to be both leaves and wood", "leave it in one list"]),
+        ("mesh: Grown(triangles: 10)".into(), &["`triangles` is 10, allowed 2000 to 64000000"]),
+        ("mesh: Grown(form: Bsh)".into(), &["`Bsh`", "did you mean `Bush`?"]),
+        ("bands: (0.9, 0.2)".into(), &["`bands` end at 0.9 and then at 0.2", "(0.2, 0.9)"]),
+        ("near: 0".into(), &["`near` is 0, allowed 1 to 8"]),
+        ("turn: 0".into(), &["`turn` is 0 rad, allowed 0.01 to 0.5"]),
+    ] {
+        place.write("plant.ron", scene(&layers));
+        place.refuses(&["show", "plant.ron"], words);
+        place.refuses(&["simulate", "plant.ron", "--steps", "1", "-o", "data"], words);
+    }
+    place.write("plant.ron", scene(&file("bush.glb\"")));
+    assert!(place.sward(&["show", "plant.ron"]).done().contains("1 plant, 1.5 m high"), "control");
+}
+
+#[test]
 fn finds_terrain_beside_the_scene_above_it_and_among_the_shipped() {
     let place = Place::new("terrain");
     let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets");

@@ -142,8 +142,7 @@ impl Layers {
             let weights = quad.weights[lane];
             let uv = mix(weights, &piece.corners.map(|corner| corner.uv.extend(0.0))).truncate();
             let [sky, sun] = texture.at(uv);
-            let pixel = [quad.first[0] + lane as i64 % 2, quad.first[1] + lane as i64 / 2];
-            if sky.w < 0.125 || !shows(draw, pixel) {
+            if sky.w < 0.125 {
                 continue;
             }
             let whole = 1.0 / sky.w.max(1e-3);
@@ -156,7 +155,8 @@ impl Layers {
             shaded.colours[lane] = air + (sky.xyz() + sun.xyz() * lit) * (whole * clear);
             let clip = sight.clip(place);
             depths[lane] = (clip.z / clip.w).clamp(0.0, 1.0);
-            shaded.samples |= coverage(covers(draw, sky.w)) << (4 * lane);
+            let pixel = [quad.first[0] + lane as i64 % 2, quad.first[1] + lane as i64 / 2];
+            shaded.samples |= coverage(covers(draw, sky.w, pixel)) << (4 * lane);
         }
         (shaded, depths)
     }
@@ -185,7 +185,7 @@ impl Layers {
             let (piece, Some(was)) = (&self.pieces[*index as usize], then.get(*index as usize)) else { continue };
             let (draw, texture) = &self.draws[piece.layer as usize];
             let texture = &self.textures[*texture];
-            if draw.which[1] != 0 && (draw.which[1] == 1) != (draw.forward[3] >= 0.5) {
+            if draw.which[1] == 0 {
                 continue;
             }
             let clip = piece.corners.map(|corner| sight.clip(corner.place));
@@ -244,13 +244,10 @@ fn behind(draw: &LayerDraw, place: Vec3, behind: f32) -> Vec3 {
 
 /// The share of a pixel's samples that a layer is to cover. Equal shares are the same samples, so two layers that cover half of a pixel each would leave half
 /// of it empty: leaves cover what two layers of alpha cover together.
-fn covers(draw: &LayerDraw, alpha: f32) -> f32 {
-    if draw.which[3] == 0 { alpha - 0.125 } else { alpha * (2.0 - alpha) - 0.125 }
-}
-
-/// Whether a pixel is a layer's while one cut dissolves into another: pixel by pixel in Bayer's order.
-fn shows(draw: &LayerDraw, [x, y]: [i64; 2]) -> bool {
+fn covers(draw: &LayerDraw, alpha: f32, [x, y]: [i64; 2]) -> f32 {
+    let covered = if draw.which[3] == 0 { alpha } else { alpha * (2.0 - alpha) };
+    // While cuts change, between two numbers of samples, pixel by pixel in Bayer's order.
     let spread = |bits: i64| (bits & 1) << 4 | (bits & 2) << 1 | (bits & 4) >> 2;
-    let arrived = (2 * spread(x ^ y) + spread(y)) as f32 + 0.5 < 64.0 * draw.forward[3];
-    draw.which[1] == 0 || arrived == (draw.which[1] == 1)
+    let off = (2 * spread(x ^ y) + spread(y)) as f32 / 63.0 - 0.5;
+    covered * draw.forward[3] - 0.125 + off * (4.0 * (1.0 - draw.forward[3])).min(0.25)
 }

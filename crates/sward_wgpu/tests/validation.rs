@@ -12,7 +12,7 @@ use sward_wgpu::studio::{CellsAt, Studio};
 
 /// Wind, a body, upper segments, a species that needs no segments, one of blades, and a shrub in layers: every pass runs.
 const SCENE: &str = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32), (species: Lawn, cells: 32), (species: Tussock, cells: 32, representation: Blade(blades: 3)),
-        (species: Shrub, places: [(at: (1, 4), height: 1.5)], representation: Layers(mesh: Grown(triangles: 1500)))],
+        (species: Shrub, places: [(at: (1, 4), height: 1.5)], representation: Layers(mesh: Grown(triangles: 2000)))],
     wind: [Natural(velocity: (3.0, 1.0))], budget: (patches: 25, focus_distance: 12.0, lag_distance: 12.0),
     interactors: [(name: \"ball\", shape: Sphere(radius: 0.6), path: Circle(radius: 3.0, speed: 4.0))])";
 

@@ -7,6 +7,7 @@
 use glam::{DVec3, Vec3};
 
 use super::warp::{Warp, offset};
+use crate::math::{clamped, lower, upper};
 use crate::scene::Layers;
 use crate::state::{Cut, LayeredPlant};
 
@@ -18,6 +19,9 @@ const NEAREST: f32 = 0.05;
 const WIDEST: f32 = 1.8;
 /// Beside what a camera sees, how much more of a plant around it is cut: the turn it may make.
 const BESIDE: f32 = 1.3;
+
+/// Most that a picture may be enlarged before plants are cut anew.
+const ZOOMED: f32 = 1.22;
 
 /// The box around a plant: as its mesh has it, turned and moved to its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,18 +98,20 @@ impl Eye {
         if distance <= radius {
             return true;
         }
-        let corner = (2.4 * self.half).hypot(self.half).atan();
-        to.dot(self.forward).clamp(-distance, distance) >= distance * (corner + (radius / distance).asin()).min(std::f32::consts::PI).cos()
+        // The cosine of the picture's corner and the ball's rim together.
+        let corner = 2.6 * self.half;
+        let (sine, out) = (radius / distance, (1.0 + corner * corner).sqrt());
+        to.dot(self.forward) >= distance * ((1.0 - sine * sine).sqrt() - corner * sine) / out
     }
 
     /// How far it has moved since a plant was cut, over its distance from it: radians, for plants that are not near.
     pub fn turned(&self, cut: &Cut, extent: &Extent) -> f32 {
         let moved = (self.at - DVec3::from(cut.eye)).length() as f32;
-        let away = ((extent.centre - self.at).length() as f32 - extent.radius()).max(0.3);
-        let zoomed = (540.0 / self.half / cut.pixels.max(1e-3)).ln().abs();
+        let away = upper((extent.centre - self.at).length() as f32 - extent.radius(), 0.3);
+        let zoom = 540.0 / self.half / upper(cut.pixels, 1e-3);
         // Within a plant only what the camera saw is cut, and some beside it.
-        let around = if cut_whole(cut) { 0.0 } else { Vec3::from(cut.forward).angle_between(self.forward) * 0.5 };
-        moved / away + if zoomed > 0.2 { 1.0 } else { 0.0 } + around
+        let around = if cut_whole(cut) { 0.0 } else { (Vec3::from(cut.forward) - self.forward).length() * 0.5 };
+        moved / away + if (ZOOMED.recip()..ZOOMED).contains(&zoom) { 0.0 } else { 1.0 } + around
     }
 
     /// Cuts a plant.
@@ -160,7 +166,7 @@ pub fn depths(cut: &Cut, extent: &Extent, bands: [f32; 2]) -> Vec<f32> {
     let forward = Vec3::from(cut.forward);
     let middle = (extent.centre - DVec3::from(cut.eye)).as_vec3().dot(forward);
     let half = extent.depth(forward);
-    let (first, last) = ((middle - half).max(NEAREST), (middle + half).max(2.0 * NEAREST));
+    let (first, last) = ((middle - half).max(NEAREST), upper(middle + half, 2.0 * NEAREST));
     let parts = cut.layers.map(usize::from);
     // Parts without layers leave their share to those before.
     let ends = match parts {
@@ -200,7 +206,7 @@ pub struct LayerDraw {
     pub right: [f32; 4],
     /// Unit; w: its bottom.
     pub up: [f32; 4],
-    /// Unit; w: share of the fade, 0 to 1.
+    /// Unit; w: share of what it covers that is there, while one cut takes over from another.
     pub forward: [f32; 4],
     /// Right side and top of the window; pieces of the grid along x and y.
     pub window: [f32; 4],
@@ -216,7 +222,7 @@ pub struct LayerDraw {
     pub cells: [f32; 4],
     /// First cells of the younger and the older note; of the touched plant's own plane, or [`NONE`]; cells along a side of the waves.
     pub notes: [u32; 4],
-    /// Number of the plant; samples: 0 all, 1 those of what fades in, 2 those of what fades out; number of the layer; 1 leaves, 0 wood.
+    /// Number of the plant; 1 if outputs tell of it; number of the layer; 1 leaves, 0 wood.
     pub which: [u32; 4],
 }
 
@@ -260,8 +266,8 @@ impl Moving<'_> {
         let side = crate::response::harmonic::TOUCH_SIDE;
         let cells = self.touches.get((first / (side * side)) as usize).map_or(&[][..], |waves| &waves.now);
         let most = side as f32 - 1.0;
-        let from = at.map(|along| (along - 0.5).clamp(0.0, most));
-        let corner = from.map(|along| along.floor().min(most - 1.0));
+        let from = at.map(|along| clamped(along - 0.5, 0.0, most));
+        let corner = from.map(|along| lower(along.floor(), most - 1.0));
         let cell = |dx: usize, dy: usize| {
             cells.get((corner[1] as usize + dy) * side as usize + corner[0] as usize + dx).copied().unwrap_or_default()
         };
@@ -275,7 +281,7 @@ impl Moving<'_> {
         let at = [draw.plane[3] + along * draw.cells[0], up * draw.cells[0]];
         let mut velocity = mix(self.wave(draw.notes[0], side, at), self.wave(draw.notes[1], side, at), draw.cells[2]);
         if draw.cells[3] > 0.0 {
-            let speed = velocity[0].hypot(velocity[1]);
+            let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
             if speed > 1e-6 {
                 let back = draw.cells[3] / speed;
                 velocity = self.wave(draw.notes[0], side, [at[0] + velocity[0] * back, at[1] + velocity[1] * back]);

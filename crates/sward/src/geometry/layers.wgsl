@@ -4,7 +4,7 @@ struct LayerDraw {
     eye: vec4<f32>,      // frame space, of the cut; w = depth of the layer
     right: vec4<f32>,    // axes of the cut, unit; w = left side of its window
     up: vec4<f32>,       // w = bottom
-    forward: vec4<f32>,  // w = share of the fade
+    forward: vec4<f32>,  // w = share that is there while cuts change
     window: vec4<f32>,   // right, top; pieces along x and y
     cell: vec4<f32>,     // corner and size of the layer's part of the texture
     root: vec4<f32>,     // frame space; w = height
@@ -12,7 +12,7 @@ struct LayerDraw {
     scale: vec4<f32>,    // way for each m/s: right, up, shrinking; w = stiffness
     cells: vec4<f32>,    // cells of a metre; of a touched plant's; share of the older note; cells by which a look-up goes back along V
     notes: vec4<u32>,    // first cells of the two notes; first cell of the touched plant's plane or none; cells along a side
-    which: vec4<u32>,    // number of the plant; which samples: 0 all, 1 those that fade in, 2 those that fade out; layer; 1 leaves
+    which: vec4<u32>,    // number of the plant; 1 if outputs tell of it; layer; 1 leaves
 }
 
 const LAYERS_NONE: u32 = 0xffffffffu;

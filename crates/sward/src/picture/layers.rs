@@ -65,6 +65,21 @@ impl CutPlan {
     }
 }
 
+/// How much of a cut is there while it takes over from another, or another from it.
+#[derive(Clone, Copy)]
+struct Fade {
+    /// Share of what it covers, 0 to 1.
+    share: f32,
+    /// Whether the outputs beside the picture tell of it.
+    told: bool,
+}
+
+/// Of a share that grows evenly, one that looks it: what is dark is seen most where it closes the last gap before a bright sky.
+fn eased(share: f32) -> f32 {
+    let share = share.min(1.0);
+    share * (2.0 - share)
+}
+
 /// How a plant's mesh gets into its cut, for whoever draws it there. The same bytes in WGSL.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -155,13 +170,14 @@ pub fn plan(world: &World, behind: f64, rows: u32, input: &FrameInput<'_>) -> [V
         for (key, cuts) in &state.cuts {
             let Some(plant) = state.plant(*key) else { continue };
             let age = world.state.step.saturating_sub(cuts.now.step) as f64 - behind;
-            let share = if cuts.before.is_some() { (age / fade.max(1e-3)).clamp(0.0, 1.0) as f32 } else { 1.0 };
+            let time = if cuts.before.is_some() { (age / fade.max(1e-3)).clamp(0.0, 1.0) as f32 } else { 1.0 };
             let scale = rows as f32 / 1080.0;
-            if share > 0.0 {
-                plans[0].push(part.cut(plant, cuts.now, scale, share, u32::from(share < 1.0)));
+            // First the newer cut appears among the older one's leaves, then that one vanishes.
+            if time > 0.0 {
+                plans[0].push(part.cut(plant, cuts.now, scale, Fade { share: eased(2.0 * time), told: time >= 0.5 }));
             }
-            if let Some(before) = cuts.before.filter(|_| share < 1.0) {
-                plans[0].push(part.cut(plant, before, scale, share, if share > 0.0 { 2 } else { 0 }));
+            if let Some(before) = cuts.before.filter(|_| time < 1.0) {
+                plans[0].push(part.cut(plant, before, scale, Fade { share: eased(2.0 - 2.0 * time), told: time < 0.5 }));
             }
         }
         for plant in state.near.values().flatten() {
@@ -170,7 +186,7 @@ pub fn plan(world: &World, behind: f64, rows: u32, input: &FrameInput<'_>) -> [V
             // What is left out for its distance throws no shadow, either.
             let shown = (extent.centre - eye).length() as f32 - extent.radius() < stand.layers().distance;
             if shown && off[0].max(off[1]) < SHADOW_REACH + extent.radius() {
-                plans[1].push(part.cut(plant, suns(&extent, sun), 1.0, 1.0, 0));
+                plans[1].push(part.cut(plant, suns(&extent, sun), 1.0, Fade { share: 1.0, told: true }));
             }
         }
     }
@@ -186,7 +202,7 @@ pub fn then(world: &World, behind: f64, plan: &CutPlan, origin: Origin) -> Vec<L
     let part = Part { world, index: plan.key.stand, stand, state, behind, origin, identity: Identity::of(world) };
     let first = plan.layers.first().copied().unwrap_or_default();
     let pieces = [first.window[2], first.window[3]];
-    part.layers(&plan.plant, &plan.cut, &plan.edges, plan.grid, pieces, (first.forward[3], first.which[1]))
+    part.layers(&plan.plant, &plan.cut, &plan.edges, plan.grid, pieces, Fade { share: first.forward[3], told: first.which[1] != 0 })
 }
 
 /// A plant as the sun sees it.
@@ -224,7 +240,7 @@ struct Part<'a> {
 }
 
 impl Part<'_> {
-    fn cut(&self, plant: &LayeredPlant, cut: Cut, scale: f32, share: f32, samples: u32) -> CutPlan {
+    fn cut(&self, plant: &LayeredPlant, cut: Cut, scale: f32, fade: Fade) -> CutPlan {
         let extent = Extent::new(plant, self.stand.specimen.low, self.stand.specimen.high);
         let edges = depths(&cut, &extent, self.stand.layers().bands);
         let count = edges.len() as u32;
@@ -235,19 +251,11 @@ impl Part<'_> {
         let size = wide.map(|pixels| ((pixels * most).ceil() as u32).clamp(2, LARGEST));
         let pieces = wide.map(|pixels| (pixels / PIECE[0]).ceil().clamp(1.0, PIECE[1]));
         let key = CutKey { stand: self.index, plant: plant.key, step: cut.step };
-        let layers = self.layers(plant, &cut, &edges, grid, pieces, (share, samples));
+        let layers = self.layers(plant, &cut, &edges, grid, pieces, fade);
         CutPlan { key, plant: *plant, cut, edges, size, grid, layers }
     }
 
-    fn layers(
-        &self,
-        plant: &LayeredPlant,
-        cut: &Cut,
-        edges: &[f32],
-        grid: [u32; 2],
-        pieces: [f32; 2],
-        (share, samples): (f32, u32),
-    ) -> Vec<LayerDraw> {
+    fn layers(&self, plant: &LayeredPlant, cut: &Cut, edges: &[f32], grid: [u32; 2], pieces: [f32; 2], fade: Fade) -> Vec<LayerDraw> {
         let (stand, state, world) = (self.stand, self.state, self.world);
         let (model, look) = (&stand.harmonic, stand.layers());
         let forward = Vec3::from(cut.forward);
@@ -281,7 +289,7 @@ impl Part<'_> {
                 eye: with(self.origin.point(cut.eye), middles[k]),
                 right: with(right, cut.window[0]),
                 up: with(up, cut.window[1]),
-                forward: with(forward, share),
+                forward: with(forward, fade.share),
                 window: [cut.window[2], cut.window[3], pieces[0], pieces[1]],
                 cell: [column * cell[0], row * cell[1], cell[0], cell[1]],
                 root: with(self.origin.point(plant.root), plant.height),
@@ -289,7 +297,7 @@ impl Part<'_> {
                 scale: [sx, sy, sz, warp.rigidity],
                 cells: [1.0 / model.cell, 1.0 / model.touch_cell, moment.share, back],
                 notes: [moment.notes[0] * area, moment.notes[1] * area, touch, model.cells],
-                which: [self.number(plant), samples, k as u32, u32::from(!wood)],
+                which: [self.number(plant), fade.told.into(), k as u32, u32::from(!wood)],
             }
         };
         (0..=count).map(layer).collect()

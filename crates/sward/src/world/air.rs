@@ -40,7 +40,7 @@ impl World {
             None => station(&source.path, f64::from(source.height), self.time() - behind * self.model.dt),
         };
         let share = 1.0 - at.clearance / f64::from(source.ceiling);
-        let speed = source.speed * share.clamp(0.0, 1.0) as f32;
+        let speed = source.speed * crate::math::clamped(share as f32, 0.0, 1.0);
         let (sine, cosine) = math::sin_cos_f64(at.yaw);
         let turn = [cosine as f32, sine as f32];
         let intervals = cells / continuum::NODE_CELLS;

@@ -69,7 +69,23 @@ fn page(opened: &Opened, world: &World) -> String {
         line(&mut text, "body", "none: nothing pushes the plants");
     }
     text.push('\n');
-    let budget = &scene.budget;
+    if !world.model.stands.is_empty() {
+        show_grass_budget(&mut text, world);
+    }
+    if !world.model.layered.is_empty() {
+        let label = if world.model.stands.is_empty() { "budget" } else { "" };
+        let budget = &world.scene.budget;
+        let bytes: usize = world.state.layered.iter().flat_map(|state| &state.notes).map(|note| size_of_val(&note[..])).sum();
+        let (touched, cuts) = (budget.touched_plants, budget.cuts);
+        let waves = bytes as f64 / MEGABYTE;
+        line(&mut text, label, &format!("{waves:.1} MB of waves; at most {touched} plants touched at once, {cuts} cut in a step"));
+    }
+    text
+}
+
+/// What stands of grass may take.
+fn show_grass_budget(text: &mut String, world: &World) {
+    let budget = &world.scene.budget;
     let total = |precision: &Precision| {
         let bytes = (0..world.model.stands.len()).map(|index| budget_bytes(world, index, precision) as f64);
         format!("{:.1} MB", bytes.sum::<f64>() / MEGABYTE)
@@ -79,7 +95,7 @@ fn page(opened: &Opened, world: &World) -> String {
         Precision::Full => format!("{full} of cells at most"),
         half => format!("{} of cells at most on a GPU, {full} on the CPU", total(half)),
     };
-    line(&mut text, "budget", &format!("{most}, in {} patches per stand", budget.patches));
+    line(text, "budget", &format!("{most}, in {} patches per stand", budget.patches));
     let (focus, lag) = (budget.focus_distance, budget.lag_distance);
     let blades = world.model.stands.iter().filter(|stand| stand.species.blade.is_some()).count();
     let drawn = match (blades, world.model.stands.len() - blades) {
@@ -87,8 +103,7 @@ fn page(opened: &Opened, world: &World) -> String {
         (_, 0) => format!("{} blades", grouped(budget.visible_blades.into())),
         _ => format!("{} plants and {} blades", grouped(budget.visible_plants.into()), grouped(budget.visible_blades.into())),
     };
-    line(&mut text, "", &format!("{drawn} drawn at once; gusts stir patches within {focus} m, tips trail within {lag} m"));
-    text
+    line(text, "", &format!("{drawn} drawn at once; gusts stir patches within {focus} m, tips trail within {lag} m"));
 }
 
 pub(super) fn line(text: &mut String, label: &str, value: &str) {
@@ -135,12 +150,16 @@ fn limits(scene: &Scene) -> Option<String> {
 fn show_meshes(stand: &LayeredStand, species: &str) -> String {
     let mut text = String::new();
     let (specimen, layers, model) = (&stand.specimen, stand.layers(), &stand.harmonic);
-    let [low, high] = stand.placement.height;
+    let chance = stand.placement.height;
+    let [low, high] = match stand.places.iter().map(|place| place.height.map_or(chance, |own| [own; 2])).reduce(join) {
+        Some(placed) => placed,
+        None => chance,
+    };
     let plants = match stand.places.len() {
         0 => format!("{} cells a patch side, cover {}", stand.placement.cells, stand.placement.cover),
         count => format!("{count} plant{}", plural(count as u32)),
     };
-    line(&mut text, "stand", &format!("{} ({species}): {plants}, {low} to {high} m high", stand.name));
+    line(&mut text, "stand", &format!("{} ({species}): {plants}, {} m high", stand.name, span(low, high)));
     let triangles = grouped(specimen.triangles.len() as u64);
     line(
         &mut text,
@@ -162,6 +181,15 @@ fn show_meshes(stand: &LayeredStand, species: &str) -> String {
         &format!("in waves of {} m/s on a plane of {side} m, {cells} x {cells} cells; 1.5 s of them are kept", harmonic.speed),
     );
     text
+}
+
+/// The range that holds two.
+fn join(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+fn span(low: f32, high: f32) -> String {
+    if low == high { low.to_string() } else { format!("{low} to {high}") }
 }
 
 fn show_stand(world: &World, index: usize, stand: &StandModel, species: &str) -> String {

@@ -29,9 +29,7 @@ struct LayerOutputs {
 fn layers_aov_fragment(trail: LayerTrail) -> LayerOutputs {
     let texel = layers_texel(trail.uv);
     let draw = layers[trail.index];
-    // While one cut fades into another, the pixel is that of the one that shows more.
-    let shown = select(draw.which.y == 0u, (draw.which.y == 1u) == (draw.forward.w >= 0.5), draw.which.y != 0u);
-    if texel.alpha < AOV_COVERAGE || !shown {
+    if texel.alpha < AOV_COVERAGE || draw.which.y == 0u {
         discard;
     }
     let now = frame.view_projection * vec4<f32>(layers_place(draw, trail.place, texel.behind), 1.0);

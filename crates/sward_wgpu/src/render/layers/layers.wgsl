@@ -57,18 +57,15 @@ fn layers_place(draw: LayerDraw, place: vec3<f32>, behind: f32) -> vec3<f32> {
     return place + (place - draw.eye.xyz) * (behind / draw.eye.w);
 }
 
-// Whether a pixel is a layer's while one cut dissolves into another: pixel by pixel in Bayer's order.
-fn layers_shows(draw: LayerDraw, pixel: vec2<u32>) -> bool {
-    let mixed = vec2<u32>(pixel.x ^ pixel.y, pixel.y) & vec2<u32>(7u);
-    let spread = (mixed & vec2<u32>(1u)) << vec2<u32>(4u) | (mixed & vec2<u32>(2u)) << vec2<u32>(1u) | (mixed & vec2<u32>(4u)) >> vec2<u32>(2u);
-    let arrived = f32(2u * spread.x + spread.y) + 0.5 < 64.0 * draw.forward.w;
-    return draw.which.y == 0u || arrived == (draw.which.y == 1u);
-}
-
 // The share of a pixel's samples that a layer is to cover. Devices give equal shares the same samples, so two layers that cover half of a pixel each would leave
 // half of it empty: leaves cover what two layers of alpha cover together.
-fn layers_covers(draw: LayerDraw, alpha: f32) -> f32 {
-    return select(alpha * (2.0 - alpha), alpha, draw.which.w == 0u) - 0.125;
+fn layers_covers(draw: LayerDraw, alpha: f32, pixel: vec2<u32>) -> f32 {
+    let covered = select(alpha * (2.0 - alpha), alpha, draw.which.w == 0u);
+    // While cuts change, between two numbers of samples, pixel by pixel in Bayer's order.
+    let mixed = vec2<u32>(pixel.x ^ pixel.y, pixel.y) & vec2<u32>(7u);
+    let spread = (mixed & vec2<u32>(1u)) << vec2<u32>(4u) | (mixed & vec2<u32>(2u)) << vec2<u32>(1u) | (mixed & vec2<u32>(4u)) >> vec2<u32>(2u);
+    let off = f32(2u * spread.x + spread.y) / 63.0 - 0.5;
+    return covered * draw.forward.w - 0.125 + off * min(4.0 * (1.0 - draw.forward.w), 0.25);
 }
 
 struct LayerPixel {
@@ -80,14 +77,14 @@ struct LayerPixel {
 fn layers_fragment(point: LayerPoint) -> LayerPixel {
     let texel = layers_texel(point.uv);
     let draw = layers[point.index];
-    if texel.alpha < 0.125 || !layers_shows(draw, vec2<u32>(point.position.xy)) {
+    if texel.alpha < 0.125 {
         discard;
     }
     let place = layers_place(draw, point.place, texel.behind);
     let lit = shadows_lit(shadows_place(place, 0.12), 2.2, SHADING_MEAN_LIT);
     let colour = point.air.rgb + (texel.sky + texel.sun * lit) * point.air.a;
     let clip = frame.view_projection * vec4<f32>(place, 1.0);
-    return LayerPixel(vec4<f32>(colour, layers_covers(draw, texel.alpha)), clamp(clip.z / clip.w, 0.0, 1.0));
+    return LayerPixel(vec4<f32>(colour, layers_covers(draw, texel.alpha, vec2<u32>(point.position.xy))), clamp(clip.z / clip.w, 0.0, 1.0));
 }
 
 struct LayerShade {
