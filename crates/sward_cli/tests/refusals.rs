@@ -103,7 +103,7 @@ fn fails_with_bodies_and_terrains_that_cannot_be_read() {
 
 #[test]
 fn fails_with_plants_that_cannot_be_read_or_cut() {
-    let place = Place::new("plants");
+    let place = Place::new("layers");
     place.sward(&["grow", "bush", "--triangles", "2000"]).done();
     let whole = std::fs::read(place.0.join("bush.glb")).expect("just written");
     place.write("plants/bush.glb", &whole);

@@ -1,5 +1,6 @@
 //! What plants in layers cost: steps and pictures of a tree of 80 thousand and of 5 million triangles, in 3 and in 5 layers; pictures in which it is cut
-//! anew, pictures between two cuts, and pictures in which the same mesh is simply drawn. Run: `cargo bench -p sward_wgpu --bench layers`.
+//! anew, pictures between two cuts, and pictures in which the same mesh is simply drawn. Run: `cargo bench -p sward_wgpu --bench layers`, with `-- 80000` for one
+//! number of triangles.
 
 #[path = "../../sward/benches/measure/mod.rs"]
 mod measure;
@@ -85,7 +86,8 @@ fn main() {
     let gpu = Gpu::new().expect("an adapter");
     println!("{}, {SIZE:?} pixels, {PAIRS} pairs in ABBA order", gpu.adapter_info.name);
     let mut counters = Vec::new();
-    for triangles in [80_000, 5_000_000] {
+    let asked: Vec<u32> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
+    for triangles in if asked.is_empty() { vec![80_000, 5_000_000] } else { asked } {
         for near in [1, 3] {
             let mut world = world(triangles, near);
             let mut step = GpuStep::new(&gpu, &world).expect("a step");

@@ -112,7 +112,9 @@ fn same_unlike(gpu: &Gpu, name: &str, seconds: f64, change: impl Fn(&mut Scene),
     steps(&mut world, 0.25);
     let later = difference(&studio.draw(&world, SIZE), &theirs);
     world.model.stands.iter_mut().for_each(|stand| stand.placement.seed ^= 1);
-    let others = difference(&studio.draw(&world, SIZE), &theirs);
+    let meshes = world.state.layered.iter_mut().flat_map(|stand| stand.near.values_mut().flatten());
+    meshes.for_each(|plant| plant.yaw += 1.0);
+    let others = difference(&sward_raster::Studio::new(&world).draw(&world, SIZE), &theirs);
     println!("{name}: {apart:.3} of 255 (drawn in {took:.1} s), later {later:.3}, other plants {others:.3}");
     let software = gpu.adapter_info.device_type == wgpu::DeviceType::Cpu;
     let most = if software { SOFTWARE } else { HARDWARE };

@@ -28,12 +28,11 @@ struct LayerOutputs {
 @fragment
 fn layers_aov_fragment(trail: LayerTrail) -> LayerOutputs {
     let texel = layers_texel(trail.uv);
-    let draw = layers[trail.index];
-    if texel.alpha < AOV_COVERAGE || draw.which.y == 0u {
+    if texel.alpha < AOV_COVERAGE || layers[trail.index].which.y == 0u {
         discard;
     }
-    let now = frame.view_projection * vec4<f32>(layers_place(draw, trail.place, texel.behind), 1.0);
-    let then = aov.then * vec4<f32>(layers_place(draw, trail.then, texel.behind), 1.0);
-    let pixel = aov_pixel(now, then, draw.which.x);
+    let now = frame.view_projection * vec4<f32>(layers_place(layers[trail.index].eye, trail.place, texel.behind), 1.0);
+    let then = aov.then * vec4<f32>(layers_place(layers[trail.index].eye, trail.then, texel.behind), 1.0);
+    let pixel = aov_pixel(now, then, layers[trail.index].which.x);
     return LayerOutputs(pixel.depth, pixel.motion, pixel.plant, clamp(now.z / now.w, 0.0, 1.0));
 }

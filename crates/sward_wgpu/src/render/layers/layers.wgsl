@@ -53,19 +53,19 @@ fn layers_texel(uv: vec2<f32>) -> LayerTexel {
 }
 
 // A point of frame space that lies `behind` a layer's point as its cut saw it.
-fn layers_place(draw: LayerDraw, place: vec3<f32>, behind: f32) -> vec3<f32> {
-    return place + (place - draw.eye.xyz) * (behind / draw.eye.w);
+fn layers_place(eye: vec4<f32>, place: vec3<f32>, behind: f32) -> vec3<f32> {
+    return place + (place - eye.xyz) * (behind / eye.w);
 }
 
 // The share of a pixel's samples that a layer is to cover. Devices give equal shares the same samples, so two layers that cover half of a pixel each would leave
 // half of it empty: leaves cover what two layers of alpha cover together.
-fn layers_covers(draw: LayerDraw, alpha: f32, pixel: vec2<u32>) -> f32 {
-    let covered = select(alpha * (2.0 - alpha), alpha, draw.which.w == 0u);
+fn layers_covers(leaves: bool, share: f32, alpha: f32, pixel: vec2<u32>) -> f32 {
+    let covered = select(alpha, alpha * (2.0 - alpha), leaves);
     // While cuts change, between two numbers of samples, pixel by pixel in Bayer's order.
     let mixed = vec2<u32>(pixel.x ^ pixel.y, pixel.y) & vec2<u32>(7u);
     let spread = (mixed & vec2<u32>(1u)) << vec2<u32>(4u) | (mixed & vec2<u32>(2u)) << vec2<u32>(1u) | (mixed & vec2<u32>(4u)) >> vec2<u32>(2u);
     let off = f32(2u * spread.x + spread.y) / 63.0 - 0.5;
-    return covered * draw.forward.w - 0.125 + off * min(4.0 * (1.0 - draw.forward.w), 0.25);
+    return covered * share - 0.125 + off * min(4.0 * (1.0 - share), 0.25);
 }
 
 struct LayerPixel {
@@ -76,15 +76,15 @@ struct LayerPixel {
 @fragment
 fn layers_fragment(point: LayerPoint) -> LayerPixel {
     let texel = layers_texel(point.uv);
-    let draw = layers[point.index];
     if texel.alpha < 0.125 {
         discard;
     }
-    let place = layers_place(draw, point.place, texel.behind);
+    let place = layers_place(layers[point.index].eye, point.place, texel.behind);
     let lit = shadows_lit(shadows_place(place, 0.12), 2.2, SHADING_MEAN_LIT);
     let colour = point.air.rgb + (texel.sky + texel.sun * lit) * point.air.a;
     let clip = frame.view_projection * vec4<f32>(place, 1.0);
-    return LayerPixel(vec4<f32>(colour, layers_covers(draw, texel.alpha, vec2<u32>(point.position.xy))), clamp(clip.z / clip.w, 0.0, 1.0));
+    let covered = layers_covers(layers[point.index].which.w == 1u, layers[point.index].forward.w, texel.alpha, vec2<u32>(point.position.xy));
+    return LayerPixel(vec4<f32>(colour, covered), clamp(clip.z / clip.w, 0.0, 1.0));
 }
 
 struct LayerShade {
@@ -108,5 +108,5 @@ fn layers_shadow_fragment(shade: LayerShade) -> @builtin(frag_depth) f32 {
     if texel.alpha < 0.5 {
         discard;
     }
-    return clamp((frame.shadow * vec4<f32>(layers_place(layers[shade.index], shade.place, texel.behind), 1.0)).z, 0.0, 1.0);
+    return clamp((frame.shadow * vec4<f32>(layers_place(layers[shade.index].eye, shade.place, texel.behind), 1.0)).z, 0.0, 1.0);
 }
