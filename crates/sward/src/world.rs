@@ -50,6 +50,8 @@ pub struct World {
     pub state: State,
     /// Instructions the CPU kernels use; results do not depend on it.
     pub lanes: Lanes,
+    /// A camera of the host's, which holds instead of the scene's. Not part of a saved state.
+    pub viewed: Option<View>,
     /// What bodies look like from six sides, on the CPU: [`crate::model::BodyMaps::texels`] as of the last step.
     pub texels: Arc<Vec<[f32; 4]>>,
 }
@@ -63,7 +65,7 @@ impl World {
         let fluids = model.fluids.iter().map(|fluid| FluidState::still(fluid.model.side)).collect();
         let state = State { bodies: vec![BodyState::default(); scene.interactors.len()], fluids, ..State::default() };
         let texels = Arc::clone(&model.maps.texels);
-        let mut world = Self { scene, model, state, lanes: Lanes::default(), texels };
+        let mut world = Self { scene, model, state, lanes: Lanes::default(), viewed: None, texels };
         world.apply_edits(f64::NEG_INFINITY, 0.0);
         world.state.stands = world.model.stands.iter().map(|stand| world.empty_stand(stand)).collect();
         for index in 0..world.state.bodies.len() {
@@ -106,7 +108,7 @@ impl World {
         self.state.step as f64 * self.model.dt
     }
 
-    /// The scene's camera at the time of the state.
+    /// The camera at the time of the state: the host's ([`World::viewed`]), or else the scene's.
     pub fn camera(&self) -> View {
         self.camera_before(0.0)
     }
@@ -119,6 +121,9 @@ impl World {
 
     /// The camera `behind` steps (0 to 1) before the state.
     pub fn camera_before(&self, behind: f64) -> View {
+        if let Some(view) = self.viewed {
+            return view;
+        }
         let scene = &self.scene;
         let followed = scene.camera.follow.as_ref().and_then(|name| scene.interactors.iter().position(|body| &body.name == name));
         let pose = followed.and_then(|body| self.pose_before(body, behind));

@@ -1,10 +1,12 @@
 //! Scenes by name or path, and the files they need.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use sward::model::{Assets, Folder};
+use sward::model::Assets;
 use sward::scene::Scene;
 use sward::world::World;
+use sward_scenes::{Embedded, Near, Shipped};
+pub(crate) use sward_scenes::{SHIPPED, shipped};
 
 use crate::cache::Cache;
 use crate::console::Console;
@@ -15,75 +17,6 @@ use crate::fingerprint::{Fingerprint, Witness};
 const LARGEST: u64 = 16 << 20;
 /// Moment of a picture of a scene that does not come with sward, s.
 const USUAL_TIME: f64 = 5.0;
-
-/// A scene that comes with sward.
-pub(crate) struct Shipped {
-    /// What to type.
-    pub(crate) name: &'static str,
-    /// The scene.
-    pub(crate) text: &'static str,
-    /// A good moment for a picture, s.
-    pub(crate) time: f64,
-}
-
-macro_rules! shipped {
-    ($($name:literal at $time:literal;)*) => {
-        &[$(Shipped { name: $name, text: include_str!(concat!("../../../scenes/", $name, ".ron")), time: $time }),*]
-    };
-}
-
-/// All of them. In `hello` the pickup is near the camera at 6.2 s, and its whole track is in view.
-pub(crate) const SHIPPED: &[Shipped] = shipped! {
-    "hello" at 6.2;
-    "lawn" at 6.0;
-    "reed" at 5.0;
-    "crossing" at 7.0;
-    "downwash" at 6.5;
-    "road" at 6.4;
-    "paper" at 5.2;
-    "endless" at 5.0;
-    "blades" at 5.0;
-    "grassland" at 4.0;
-    "footsteps" at 5.2;
-    "stamp" at 7.3;
-    "walkers" at 8.0;
-    "eddies" at 3.0;
-    "shrub" at 2.0;
-    "crown" at 3.0;
-    "aquarium" at 3.0;
-    "field" at 3.0;
-};
-
-/// The files that come with sward.
-struct Embedded;
-
-const FILES: &[(&str, &[u8])] = &[
-    ("assets/jacksboro.png", include_bytes!("../../../assets/jacksboro.png")),
-    ("assets/jacksboro.toml", include_bytes!("../../../assets/jacksboro.toml")),
-    ("assets/torus.glb", include_bytes!("../../../assets/torus.glb")),
-    ("assets/walker.glb", include_bytes!("../../../assets/walker.glb")),
-];
-
-impl Assets for Embedded {
-    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        let file = FILES.iter().find(|(name, _)| *name == path);
-        file.map(|(_, bytes)| bytes.to_vec()).ok_or_else(|| format!("{path} does not come with sward"))
-    }
-}
-
-/// Files near a scene: in its folder, in the folder above, or among those that come with sward.
-struct Near(PathBuf);
-
-impl Assets for Near {
-    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        let folders = [self.0.clone(), self.0.join("..")];
-        let found = folders.iter().find(|folder| folder.join(path).is_file());
-        match found {
-            Some(folder) => Folder(folder.clone()).read(path),
-            None => Embedded.read(path).map_err(|_| format!("{path} is neither in {} nor in the folder above", self.0.display())),
-        }
-    }
-}
 
 /// A scene, read and checked, and where its files are.
 pub(crate) struct Opened {
@@ -111,11 +44,6 @@ impl Opened {
         let world = World::new(self.scene.clone(), &witness).map_err(|error| error.located(text, file))?;
         Ok((world, witness.seen()))
     }
-}
-
-/// The shipped scene of this name.
-pub(crate) fn shipped(name: &str) -> Option<&'static Shipped> {
-    SHIPPED.iter().find(|scene| scene.name == name)
 }
 
 /// Opens a scene by its shipped name or its path.

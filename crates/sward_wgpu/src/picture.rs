@@ -242,6 +242,11 @@ impl Renderer {
         gpu.check()
     }
 
+    /// The last picture on the device, sRGB code values in `Rgba8Unorm`; another texture after another size.
+    pub fn shown(&self) -> Option<&wgpu::Texture> {
+        self.targets.as_ref().map(|targets| &targets.display)
+    }
+
     /// Plants cut into layers since the beginning, and pixels of all layers that are kept.
     pub fn layers_kept(&self) -> [u64; 2] {
         self.layers.as_ref().map_or([0; 2], |pass| [pass.cut, pass.pixels()])

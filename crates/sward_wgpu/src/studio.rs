@@ -115,6 +115,15 @@ impl Studio {
     /// # Errors
     /// What the device reports.
     pub fn draw_before(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64, size: [u32; 2]) -> Result<Picture, GpuError> {
+        self.show(gpu, world, cells, behind, size)?;
+        self.renderer.read(gpu)
+    }
+
+    /// Draws the same and leaves it on the device, for a host with a window: [`Studio::shown`].
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn show(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64, size: [u32; 2]) -> Result<(), GpuError> {
         gpu.check()?;
         let size = picture::fitting(gpu, size);
         let ready = self.ready(gpu, world, &cells, behind, size, false)?;
@@ -123,8 +132,12 @@ impl Studio {
         let (cuts, waves) = self.layers(gpu, world, &cells, behind, size, &input);
         let (batches, blades) = (drawn(&self.batches, world, &ready.plans), strips(&self.blades, world, &self.looks, &ready.blades));
         let layers = layered(world, &ready.frame, &cuts, &waves);
-        self.renderer.draw(gpu, &input, &PlantDraws { batches: &batches, blades: &blades, layers }, size)?;
-        self.renderer.read(gpu)
+        self.renderer.draw(gpu, &input, &PlantDraws { batches: &batches, blades: &blades, layers }, size)
+    }
+
+    /// The last picture on the device, its code values as sRGB has them; a new texture whenever the size changes.
+    pub fn shown(&self) -> Option<&wgpu::Texture> {
+        self.renderer.shown()
     }
 
     /// Draws the moment `behind` steps (0 to 1) before the state, and beside the picture depth, motion and plant of each pixel.

@@ -4,7 +4,7 @@ use super::{JUMP, World};
 use crate::interaction::solid::WorldSolid;
 use crate::interaction::{Contact, Footprint, Grid, Piece, Pose, pose_on_path, stand_on, swept, swept_between};
 use crate::model::StandModel;
-use crate::scene::Path;
+use crate::scene::{Driven, Path};
 
 impl World {
     pub(super) fn pose(&self, index: usize, time: f64) -> Option<Pose> {
@@ -20,6 +20,26 @@ impl World {
             Some((ground, yaw, clearance)) => stand_on(ground, yaw, clearance, body.half, interactor.follow_ground, &self.model.terrain),
             None => pose_on_path(interactor, body.half, &self.model.terrain, time),
         })
+    }
+
+    /// Ends a body's path where it is: from now on it is driven from code, with [`World::drive`]. Returns where that is (ground m, yaw rad, clearance m);
+    /// `None` for a body that is away or unknown.
+    pub fn take_over(&mut self, body: usize) -> Option<([f64; 2], f64, f64)> {
+        let pose = self.state.bodies.get(body)?.pose?;
+        let interactor = self.scene.interactors.get_mut(body)?;
+        let clearance = match (&interactor.path, self.state.bodies[body].driven) {
+            (Path::Driven(_), Some((.., clearance))) => clearance,
+            _ => {
+                // On slopes the base is a little off the ground below its middle.
+                let above = pose.height - self.model.terrain.height_at(pose.ground[0], pose.ground[1]);
+                let usual = f64::from(interactor.clearance);
+                if (above - usual).abs() < 0.3 { usual } else { above }
+            }
+        };
+        interactor.path = Path::Driven(Driven { at: pose.ground, yaw: pose.yaw as f32 });
+        let place = (pose.ground, pose.yaw, clearance);
+        self.state.bodies[body].driven = Some(place);
+        Some(place)
     }
 
     /// Poses at the end of the coming step. Returns the pieces of bodies whose own parts move, before and after the step, in body order.

@@ -91,7 +91,14 @@ impl Resolve {
                 wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(mean.as_ref().unwrap_or(&colour)) },
             ],
         });
-        Targets { size, colour, mean, depth, bindings, display: texture("picture", DISPLAY, 1, wgpu::TextureUsages::COPY_SRC) }
+        Targets {
+            size,
+            colour,
+            mean,
+            depth,
+            bindings,
+            display: texture("picture", DISPLAY, 1, wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::TEXTURE_BINDING),
+        }
     }
 
     pub(crate) fn draw(

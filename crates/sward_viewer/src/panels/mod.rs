@@ -1,0 +1,5 @@
+//! What lies around the picture.
+
+pub mod help;
+pub mod scenes;
+pub mod tools;

@@ -1,0 +1,99 @@
+//! Time, cameras, wheels, and the picture's size.
+
+use eframe::egui;
+
+use crate::camera::Kind;
+use crate::clock::Clock;
+use crate::drive::Drive;
+use crate::stage::Backend;
+
+/// What a panel asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Wish {
+    /// Begin the scene again.
+    Restart,
+    /// Another camera.
+    Camera(Kind),
+    /// Choose a body.
+    Choose(usize),
+    /// Take its wheel, or leave it.
+    Wheel,
+    /// Step elsewhere.
+    Step(Backend),
+}
+
+/// How time passes.
+pub fn time(ui: &mut egui::Ui, clock: &mut Clock, wishes: &mut Vec<Wish>) {
+    ui.horizontal(|ui| {
+        if ui.button(if clock.paused { "▶" } else { "⏸" }).on_hover_text("Pause, or go on (P)").clicked() {
+            clock.paused = !clock.paused;
+        }
+        if ui.add_enabled(clock.paused, egui::Button::new("⏭")).on_hover_text("One step (full stop)").clicked() {
+            clock.single += 1;
+        }
+        if ui.button("⟲").on_hover_text("Begin again (R)").clicked() {
+            wishes.push(Wish::Restart);
+        }
+        let pace = egui::Slider::new(&mut clock.pace, 0.05..=2.0).logarithmic(true).suffix("×").max_decimals(2);
+        ui.add(pace).on_hover_text("Seconds of the scene for each second: slow motion (comma)");
+    });
+}
+
+/// Which camera.
+pub fn camera(ui: &mut egui::Ui, kind: Kind, wishes: &mut Vec<Wish>) {
+    ui.horizontal(|ui| {
+        for (other, name) in Kind::ALL {
+            if ui.selectable_label(kind == other, name).clicked() {
+                wishes.push(Wish::Camera(other));
+            }
+        }
+    });
+}
+
+/// Which body, and who is at its wheel.
+pub fn wheel(ui: &mut egui::Ui, names: &[String], chosen: Option<usize>, drive: Option<&Drive>, wishes: &mut Vec<Wish>) {
+    if names.is_empty() {
+        ui.weak("no bodies in this scene");
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        for (index, name) in names.iter().enumerate() {
+            if ui.selectable_label(chosen == Some(index), name).clicked() {
+                wishes.push(Wish::Choose(index));
+            }
+        }
+    });
+    let words = if drive.is_some() { "leave the wheel" } else { "take the wheel" };
+    if ui.button(words).on_hover_text("E; then W A S D or the arrows").clicked() {
+        wishes.push(Wish::Wheel);
+    }
+    if let Some(drive) = drive {
+        egui::Grid::new("wheel").num_columns(2).show(ui, |ui| {
+            ui.label("speed");
+            ui.monospace(format!("{:5.1} m/s  {:4.0} km/h", drive.speed[0], 3.6 * drive.speed[0]));
+            ui.end_row();
+            ui.label("steering");
+            ui.monospace(format!("{:5.1}°", drive.steering.to_degrees()));
+            ui.end_row();
+            ui.label("drift");
+            ui.monospace(format!("{:5.1}°", drive.drift().to_degrees()));
+            ui.end_row();
+            ui.label("height");
+            ui.monospace(format!("{:5.2} m", drive.clearance));
+            ui.end_row();
+        });
+    }
+}
+
+/// Where cells move, and how fine the picture is.
+pub fn machine(ui: &mut egui::Ui, backend: Backend, fineness: &mut f32, adapter: &str, wishes: &mut Vec<Wish>) {
+    ui.horizontal(|ui| {
+        for (other, name) in [(Backend::Cpu, "step on the CPU"), (Backend::Gpu, "on the GPU")] {
+            if ui.selectable_label(backend == other, name).clicked() && backend != other {
+                wishes.push(Wish::Step(other));
+            }
+        }
+    });
+    ui.add(egui::Slider::new(fineness, 0.2..=1.0).text("pixels").max_decimals(2)).on_hover_text("Pixels drawn for each of the window's");
+    ui.weak(adapter);
+}

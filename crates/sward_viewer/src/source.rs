@@ -1,0 +1,91 @@
+//! Where a scene comes from: one that is shipped, or a file of one's own that may change while it is shown.
+
+use std::path::{Path, PathBuf};
+
+use sward::model::Assets;
+use sward::scene::{Scene, SceneError};
+use sward_scenes::{Embedded, Near, Shipped};
+
+/// Where a scene comes from.
+#[derive(Clone, Debug)]
+pub enum Source {
+    /// It comes with sward.
+    Shipped(&'static Shipped),
+    /// A file.
+    File(PathBuf),
+    /// A text that was dropped where there are no files: its name, and itself.
+    Text(String, String),
+}
+
+impl Source {
+    /// A shipped scene's name, or a file's path.
+    pub fn named(name: &str) -> Self {
+        sward_scenes::shipped(name).map_or_else(|| Self::File(name.into()), Self::Shipped)
+    }
+
+    /// What a title says.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Shipped(shipped) => shipped.name.to_owned(),
+            Self::File(path) => path.file_stem().map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned()),
+            Self::Text(name, _) => name.clone(),
+        }
+    }
+
+    /// The file's name in messages.
+    fn file(&self) -> String {
+        match self {
+            Self::Shipped(shipped) => format!("{}.ron", shipped.name),
+            Self::File(path) => path.display().to_string(),
+            Self::Text(name, _) => name.clone(),
+        }
+    }
+
+    /// The scene's text.
+    ///
+    /// # Errors
+    /// Why the file cannot be read, in plain words.
+    pub fn text(&self) -> Result<String, String> {
+        match self {
+            Self::Shipped(shipped) => Ok(shipped.text.to_owned()),
+            Self::Text(_, text) => Ok(text.clone()),
+            Self::File(path) => std::fs::read_to_string(path).map_err(|error| format!("{}: cannot be read: {error}", path.display())),
+        }
+    }
+
+    /// The scene.
+    ///
+    /// # Errors
+    /// What is wrong, where, and what to type instead.
+    pub fn scene(&self) -> Result<Scene, String> {
+        let (text, file) = (self.text()?, self.file());
+        Scene::parse(&text, &file).map_err(|error| error.to_string())
+    }
+
+    /// An error of compiling the scene, with the place in its text.
+    pub fn located(&self, error: SceneError) -> String {
+        match self.text() {
+            Ok(text) => error.located(&text, &self.file()).to_string(),
+            Err(_) => error.to_string(),
+        }
+    }
+
+    /// The files it names.
+    pub fn assets(&self) -> Box<dyn Assets> {
+        match self {
+            Self::File(path) => {
+                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+                Box::new(Near(folder.to_owned()))
+            }
+            _ => Box::new(Embedded),
+        }
+    }
+
+    /// When its file was last written; `None` for what is no file, or is gone.
+    pub fn written(&self) -> Option<std::time::SystemTime> {
+        match self {
+            Self::File(path) => std::fs::metadata(path).and_then(|about| about.modified()).ok(),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! What a script may ask of the window: one line of JSON after every picture.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use serde::Serialize;
+
+/// A body, as scripts see it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Body {
+    /// Its name.
+    pub name: String,
+    /// Where it is, m; `None` while it is away.
+    pub at: Option<[f64; 2]>,
+    /// Bend of the plants of the first stand that has some there, rad.
+    pub bend: Option<[f32; 2]>,
+}
+
+/// What the window shows.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Status {
+    /// The scene's name; empty while none is there yet.
+    pub scene: String,
+    /// Steps since its beginning.
+    pub step: u64,
+    /// The camera.
+    pub camera: &'static str,
+    /// Whether time stands still.
+    pub paused: bool,
+    /// The body at whose wheel somebody is.
+    pub driving: Option<String>,
+    /// Bodies.
+    pub bodies: Vec<Body>,
+    /// Longest part of a picture that kept the window from answering, ms: without the device's.
+    pub longest: f64,
+    /// What is wrong.
+    pub problem: Option<String>,
+    /// Pictures shown.
+    pub pictures: u64,
+}
+
+/// Where lines go.
+#[derive(Debug)]
+pub struct Log(PathBuf);
+
+impl Log {
+    /// To a file, which holds the last line only.
+    pub fn new(path: PathBuf) -> Self {
+        Self(path)
+    }
+
+    /// Writes one.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn write(&self, status: &Status) -> std::io::Result<()> {
+        // A reader sees the line before or this one, never half of it.
+        let beside = self.0.with_extension("part");
+        let mut file = std::fs::File::create(&beside)?;
+        serde_json::to_writer(&mut file, status)?;
+        file.write_all(b"\n")?;
+        std::fs::rename(beside, &self.0)
+    }
+}
