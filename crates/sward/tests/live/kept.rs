@@ -10,7 +10,7 @@ fn same_cells(a: &StandState, b: &StandState) -> bool {
     a.awake == b.awake && a.cells.now == b.cells.now && a.cells.old == b.cells.old && a.cells.lag == b.cells.lag
 }
 
-fn is_finite(world: &World) -> bool {
+pub(crate) fn is_finite(world: &World) -> bool {
     // Places of sheets are bits.
     let cells = world.state.stands.iter().zip(&world.model.stands).filter(|(_, model)| model.springs.is_none());
     let levels = cells.flat_map(|(stand, _)| stand.cells.now.iter().chain(&stand.cells.lag)).flatten();

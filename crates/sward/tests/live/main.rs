@@ -1,5 +1,6 @@
 //! A scene may change while it runs: what still fits goes on, what does not begins anew, and the same scene again changes no bit.
 
+mod chance;
 mod ground;
 mod kept;
 mod shipped;
@@ -26,9 +27,10 @@ const USUAL: Text = Text {
 impl Text {
     fn scene(&self) -> Scene {
         let Self { first, second, bodies, more } = self;
+        let budget = if more.contains("budget") { "" } else { "budget: (patches: 9, focus_distance: 8)," };
         let text = format!(
             "(version: 1, field: (patch_side: 8), stands: [({first}), ({second})], wind: [Natural(velocity: (3, 1))],
-             interactors: [{bodies}], budget: (patches: 9, focus_distance: 8), {more})"
+             interactors: [{bodies}], {budget} {more})"
         );
         Scene::parse(&text, "live.ron").unwrap_or_else(|error| panic!("{error}\n{text}"))
     }
