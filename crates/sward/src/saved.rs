@@ -9,7 +9,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::response::springs::pool;
-use crate::response::{StandModel, chain, continuum, oscillator};
+use crate::response::{StandModel, chain};
 use crate::state::{Awake, BodyState, Counters, LayeredState, NONE, PatchKey, Sheets, State, Summary};
 use crate::terrain::Edits;
 use crate::wind::fluid::{FASTEST, FluidState};
@@ -226,24 +226,7 @@ impl World {
     fn restore_stand(&self, index: usize, saved: SavedStand, step: u64) -> Result<crate::state::StandState, SavedError> {
         let model = &self.model.stands[index];
         let mut stand = self.empty_stand(model);
-        let area = (model.cells * model.cells) as usize;
-        let [level, level_before, upper, ring, state] = match (&model.chain, &model.oscillator) {
-            _ if model.springs.is_some() => [0; 5],
-            (Some(chain), _) => {
-                let [moments, states, blades] = chain::sizes(chain, model.cells);
-                [moments, moments, blades, 0, states]
-            }
-            (_, Some(oscillator)) => {
-                let [records, air] = oscillator::sizes(oscillator, model.cells);
-                [records, air, 0, 0, 0]
-            }
-            _ => {
-                let [upper, ring] = continuum::lag_planes(&model.lag).map(|planes| planes * area);
-                [4 * area, 4 * area, upper, ring, 0]
-            }
-        };
-        // The last plane of a record counts steps: any number.
-        let counts_steps = if model.oscillator.is_some() { area } else { 0 };
+        let (layout, area) = (model.layout(), (model.cells * model.cells) as usize);
         let mut planes = [&saved.now, &saved.old, &saved.upper, &saved.history, &saved.virtual_states].map(|values| values.iter().copied());
         let [now, old, uppers, past, states] = &mut planes;
         let counters = saved.counters;
@@ -265,15 +248,15 @@ impl World {
             if !taken || stand.awake.insert(patch, awake).is_some() {
                 return Err(SavedError::Damaged("two patches share one place"));
             }
-            fill(&mut stand.cells.now, awake.slot, [level, counts_steps], now)?;
-            fill(&mut stand.cells.old, awake.slot, [level_before, 0], old)?;
-            fill(&mut stand.cells.virtual_states, awake.slot, [state, 0], states)?;
+            fill(&mut stand.cells.now, awake.slot, [layout.now, layout.counts], now)?;
+            fill(&mut stand.cells.old, awake.slot, [layout.old, 0], old)?;
+            fill(&mut stand.cells.virtual_states, awake.slot, [layout.virtual_states, 0], states)?;
             let ground = &mut stand.cells.ground;
             ground.resize(ground.len().max(awake.slot as usize + 1), Default::default());
             ground[awake.slot as usize] = model.ground_of(&self.model.terrain, patch);
             if awake.lag != NONE {
-                fill(&mut stand.cells.lag, awake.lag, [upper, 0], uppers)?;
-                fill(&mut stand.cells.history, awake.lag, [ring, 0], past)?;
+                fill(&mut stand.cells.lag, awake.lag, [layout.lag, 0], uppers)?;
+                fill(&mut stand.cells.history, awake.lag, [layout.history, 0], past)?;
                 if let Some(chain) = &model.chain {
                     let roots = &mut stand.cells.roots;
                     roots.resize(roots.len().max(awake.lag as usize + 1), Box::default());

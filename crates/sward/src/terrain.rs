@@ -193,6 +193,27 @@ impl Terrain {
         sound
     }
 
+    /// Adds what `edited` has beyond `usual`, both edits of one terrain; false, and nothing changes, if all would lie too far apart.
+    pub(crate) fn add_beyond(&mut self, edited: &Edits, usual: &Edits) -> bool {
+        self.edits.add_beyond(edited, usual, self.heights.len()).is_ok()
+    }
+
+    /// The same terrain as it was before any edit.
+    pub(crate) fn unedited(&self) -> Self {
+        Self { edits: Edits::default(), ..self.clone() }
+    }
+
+    /// Whether both are the same ground before any edit.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let frame = |terrain: &Self| (terrain.columns, terrain.rows, terrain.spacing, terrain.corner);
+        frame(self) == frame(other) && self.detail == other.detail && self.heights == other.heights
+    }
+
+    /// Whether both are the same ground, edits included.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        self.is_like(other) && self.edits.is_like(&other.edits)
+    }
+
     /// How many samples had no data in their file and took the height of the nearest that had.
     pub fn filled(&self) -> u32 {
         self.filled

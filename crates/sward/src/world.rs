@@ -3,7 +3,9 @@
 mod air;
 mod asked;
 mod bodies;
+mod kept;
 mod layered;
+mod rescene;
 mod sheets;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,6 +23,7 @@ use crate::state::{BodyState, NONE, PatchKey, SheetPool, Sheets, StandState, Sta
 use crate::terrain::TerrainError;
 use crate::view::View;
 use crate::wind::fluid::FluidState;
+pub use kept::{Fate, Kept};
 use sheets::Near;
 
 /// Faster than this, m/s, a body has jumped: it sweeps nothing.
@@ -294,10 +297,7 @@ impl World {
 
     /// What the scene edits after `from` and up to `to` \[s\], earliest first.
     fn apply_edits(&mut self, from: f64, to: f64) {
-        let due = self.scene.edits.iter().filter(|edit| edit.time > from && edit.time <= to);
-        let mut due: Vec<Edit> = due.cloned().collect();
-        due.sort_by(|a, b| a.time.total_cmp(&b.time));
-        for edit in due {
+        for edit in due(&self.scene, from, to) {
             // The model has made room for all of them.
             let _ = self.change_ground(&edit);
         }
@@ -422,6 +422,13 @@ impl World {
         }
         plan
     }
+}
+
+/// What a scene edits after `from` and up to `to` \[s\], earliest first.
+fn due(scene: &Scene, from: f64, to: f64) -> Vec<Edit> {
+    let mut due: Vec<Edit> = scene.edits.iter().filter(|edit| edit.time > from && edit.time <= to).cloned().collect();
+    due.sort_by(|a, b| a.time.total_cmp(&b.time));
+    due
 }
 
 /// Patches that blades stand in which a solid can touch: those are `length` m long at most.

@@ -103,6 +103,8 @@ fn outputs_of_a_lost_device_are_errors(_: &Gpu) -> Verdict {
     cells_here.draw_aov(&gpu, &world, CellsAt::Cpu, 0.0, SIZE)?;
     cells_there.draw_aov(&gpu, &world, CellsAt::Gpu(&step), 0.0, SIZE)?;
     cells_there.remember(&gpu, &world, CellsAt::Gpu(&step), 0.0)?;
+    // A destroyed device says so once its work is done, and this work nobody has waited for.
+    gpu.device.poll(wgpu::PollType::wait_indefinitely())?;
     gpu.device.destroy();
     for studio in [&mut cells_here, &mut cells_there, &mut fresh] {
         lost("remember", studio.remember(&gpu, &world, CellsAt::Gpu(&step), 0.0))?;

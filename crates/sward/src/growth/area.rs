@@ -7,7 +7,7 @@ use crate::math;
 use crate::scene::{Area, Mask};
 
 /// A piece of ground; positions are metres from the scene's origin.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Outline {
     /// All within `half_width` \[m\] of a line.
     Line {

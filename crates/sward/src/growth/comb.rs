@@ -42,7 +42,7 @@ impl DirectionImage {
 }
 
 /// Pictures of how plants lie, on the ground.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Comb {
     /// Corner of least x and z, m.
     pub corner: [f64; 2],

@@ -23,7 +23,7 @@ use crate::terrain::Terrain;
 pub const WGSL: &str = include_str!("../growth.wgsl");
 
 /// An exclusion or a mask, compiled.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
     /// Where.
     pub outline: Outline,
@@ -45,7 +45,7 @@ pub struct Limit {
 pub type Slopes = [f32; 2];
 
 /// What limits the growth of one stand.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Growth {
     /// Exclusions, then masks, in the scene's order.
     pub limits: Vec<Arc<Limit>>,

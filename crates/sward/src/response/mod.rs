@@ -6,6 +6,7 @@ pub mod chain;
 pub mod continuum;
 pub(crate) mod each;
 pub mod harmonic;
+pub(crate) mod layout;
 pub mod oscillation;
 pub mod oscillator;
 pub mod springs;

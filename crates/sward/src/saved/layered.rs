@@ -1,13 +1,12 @@
 //! Stands of meshes in a saved state.
 
 use super::{FARTHEST, SavedError};
-use crate::response::harmonic::{LayeredStand, TOUCH_SIDE};
+use crate::response::harmonic::LayeredStand;
 use crate::state::{Cut, LayeredState, Waves};
 
 /// Whether numbers of a plane could have come about.
-fn plane(waves: &Waves, side: usize) -> bool {
-    let near = |cells: &[[f32; 2]]| cells.len() == side * side && cells.iter().flatten().all(|part| (-FARTHEST..=FARTHEST).contains(part));
-    waves.side() == side && near(&waves.now) && near(&waves.old)
+fn near(cells: &[[f32; 2]]) -> bool {
+    cells.iter().flatten().all(|part| (-FARTHEST..=FARTHEST).contains(part))
 }
 
 fn cut(cut: &Cut, step: u64) -> bool {
@@ -19,22 +18,9 @@ fn cut(cut: &Cut, step: u64) -> bool {
 
 /// A stand of meshes as saved, if it could be.
 pub(super) fn restored(stand: &LayeredStand, saved: LayeredState, most: u32, step: u64) -> Result<LayeredState, SavedError> {
-    let model = &stand.harmonic;
-    let side = model.cells as usize;
-    let notes = saved.notes.len() == model.ring.notes as usize
-        && saved
-            .notes
-            .iter()
-            .all(|note| note.len() == side * side && note.iter().flatten().all(|part| (-FARTHEST..=FARTHEST).contains(part)));
-    let touched = saved.pool.is_sound(most)
-        && saved.since.len() == saved.pool.used() as usize
-        && saved.pool.taken().all(|(_, place)| saved.touches.get(place as usize).is_some_and(|waves| plane(waves, TOUCH_SIDE as usize)))
-        && saved.touches.iter().all(|waves| waves.side() == 0 || plane(waves, TOUCH_SIDE as usize));
+    let calm = |waves: &Waves| near(&waves.now) && near(&waves.old);
+    let waves = calm(&saved.waves) && saved.touches.iter().all(calm) && saved.notes.iter().all(|note| near(note));
     let cuts = saved.cuts.values().all(|cuts| cut(&cuts.now, step) && cuts.before.as_ref().is_none_or(|before| cut(before, step)));
     let drifts = saved.drift.iter().all(|part| (-FARTHEST..=FARTHEST).contains(part));
-    if plane(&saved.waves, side) && notes && touched && cuts && drifts && saved.touches.len() <= most as usize {
-        Ok(saved)
-    } else {
-        Err(SavedError::Damaged("its plants in layers are none"))
-    }
+    if stand.fits(&saved, most) && waves && cuts && drifts { Ok(saved) } else { Err(SavedError::Damaged("its plants in layers are none")) }
 }

@@ -125,6 +125,38 @@ macro_rules! parameters {
             }
         }
 
+        impl $crate::scene::inspect::Group for $Group {
+            fn name(&self) -> &'static str {
+                stringify!($Group)
+            }
+
+            fn doc(&self) -> &'static str {
+                concat!($($about),+).trim_ascii()
+            }
+
+            fn fields(&self) -> &'static [$crate::scene::FieldInfo] {
+                Self::FIELDS
+            }
+
+            fn inspect_fields(&mut self, inspector: &mut dyn $crate::scene::Inspector) -> bool {
+                let (mut fields, mut changed) = (Self::FIELDS.iter(), false);
+                $(
+                    if let Some(info) = fields.next() {
+                        changed |= <$type as $crate::scene::Value>::inspect(&mut self.$field, info, inspector);
+                    }
+                )*
+                changed
+            }
+
+            fn inspect_field(&mut self, name: &str, inspector: &mut dyn $crate::scene::Inspector) -> bool {
+                let Some(info) = Self::FIELDS.iter().find(|info| info.name == name) else { return false };
+                $(if name == stringify!($field) {
+                    return <$type as $crate::scene::Value>::inspect(&mut self.$field, info, inspector);
+                })*
+                false
+            }
+        }
+
         impl $crate::scene::Value for $Group {
             fn kind() -> String {
                 $crate::scene::reference::link(stringify!($Group))
@@ -144,6 +176,14 @@ macro_rules! parameters {
                     }
                 )*
                 Ok(())
+            }
+
+            fn inspect(&mut self, info: &$crate::scene::FieldInfo, inspector: &mut dyn $crate::scene::Inspector) -> bool {
+                inspector.group(info, self)
+            }
+
+            fn initial(_: Option<(f64, f64)>) -> Self {
+                Self::default()
             }
 
             #[cfg(test)]
@@ -243,6 +283,54 @@ macro_rules! choices {
         impl $Choice {
             /// The names an author can choose from.
             pub const NAMES: &'static [&'static str] = &[$(stringify!($variant)),+];
+
+            /// What is known about each of them.
+            pub const VARIANTS: &'static [$crate::scene::inspect::VariantInfo] = &[$(
+                $crate::scene::inspect::VariantInfo {
+                    name: stringify!($variant),
+                    doc: concat!($($doc),+).trim_ascii(),
+                    group: concat!("" $(, stringify!($inner))?),
+                },
+            )+];
+
+            /// Each of them with the defaults of the group behind it.
+            const FRESH: &'static [fn() -> Self] = &[$(|| Self::$variant $((<$inner as Default>::default()))?,)+];
+        }
+
+        impl $crate::scene::inspect::Choice for $Choice {
+            fn name(&self) -> &'static str {
+                stringify!($Choice)
+            }
+
+            fn doc(&self) -> &'static str {
+                concat!($($about),+).trim_ascii()
+            }
+
+            fn variants(&self) -> &'static [$crate::scene::inspect::VariantInfo] {
+                Self::VARIANTS
+            }
+
+            fn chosen(&self) -> usize {
+                let chosen = [$(matches!(self, Self::$variant { .. })),+];
+                chosen.iter().position(|chosen| *chosen).unwrap_or(0)
+            }
+
+            fn choose(&mut self, index: usize) -> bool {
+                match Self::FRESH.get(index) {
+                    Some(fresh) if index != self.chosen() => *self = fresh(),
+                    _ => return false,
+                }
+                true
+            }
+
+            fn inspect_inside(&mut self, info: &$crate::scene::FieldInfo, inspector: &mut dyn $crate::scene::Inspector) -> bool {
+                let _ = (info, &inspector);
+                match self {
+                    $(Self::$variant $((inner @ $inner { .. }))? => {
+                        [$(<$inner as $crate::scene::Value>::inspect(inner, info, inspector))?].into_iter().any(|changed: bool| changed)
+                    })+
+                }
+            }
         }
 
         impl $crate::scene::Value for $Choice {
@@ -267,6 +355,14 @@ macro_rules! choices {
                     })+
                 }
                 Ok(())
+            }
+
+            fn inspect(&mut self, info: &$crate::scene::FieldInfo, inspector: &mut dyn $crate::scene::Inspector) -> bool {
+                inspector.choice(info, self)
+            }
+
+            fn initial(_: Option<(f64, f64)>) -> Self {
+                Self::FRESH[0]()
             }
 
             #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Every scene that can be built can be written and read back.
 
+mod inspect;
+
 use super::*;
 use proptest::prelude::*;
 

@@ -1,7 +1,7 @@
 //! What every value in a scene can do: name its kind, check its numbers, describe itself.
 //!
 //! The two macros in `parameters.rs` implement [`Value`] for groups and choices; this file does it
-//! for numbers, text, vectors, lists and optional values.
+//! for numbers, text, vectors, lists and optional values. How a host sees and changes them: [`super::inspect`].
 
 use serde::Serialize;
 use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, Visitor};
@@ -9,6 +9,7 @@ use std::fmt;
 use std::marker::PhantomData;
 
 use super::error::{Problem, Trail};
+use super::inspect::{self, Inspector, Number};
 use super::reference::Reference;
 
 /// What is known about one field of a group: enough for an error message, a slider or a page of documentation.
@@ -50,6 +51,12 @@ pub trait Value: Serialize + for<'de> Deserialize<'de> {
     fn check(&self, _trail: &Trail) -> Result<(), Problem> {
         Ok(())
     }
+
+    /// Hands this value to an inspector, as the field that `info` describes. Returns whether something has changed.
+    fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool;
+
+    /// A value to begin with, its own numbers within `range`.
+    fn initial(range: Option<(f64, f64)>) -> Self;
 
     /// Some value within `range`, for the round-trip test.
     #[cfg(test)]
@@ -132,6 +139,12 @@ macro_rules! number {
                 let (low, high) = (low as $type, high as $type);
                 (!(*self >= low && *self <= high)).then(|| self.to_string())
             }
+            fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool {
+                inspect::number(self, info, inspector)
+            }
+            fn initial(range: Option<(f64, f64)>) -> Self {
+                Self::narrowed(inspect::least(range))
+            }
             #[cfg(test)]
             fn arbitrary(range: Option<(f64, f64)>, source: &mut super::tests::Source) -> Self {
                 let (low, high) = range.unwrap_or((-1e9, 1e9));
@@ -156,6 +169,12 @@ impl Value for bool {
     fn kind() -> String {
         "`true` or `false`".to_owned()
     }
+    fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool {
+        inspector.flag(info, self)
+    }
+    fn initial(_: Option<(f64, f64)>) -> Self {
+        false
+    }
     #[cfg(test)]
     fn arbitrary(_: Option<(f64, f64)>, source: &mut super::tests::Source) -> Self {
         source.below(2) == 0
@@ -166,6 +185,12 @@ impl Value for String {
     fn kind() -> String {
         "text".to_owned()
     }
+    fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool {
+        inspector.text(info, self)
+    }
+    fn initial(_: Option<(f64, f64)>) -> Self {
+        Self::new()
+    }
     #[cfg(test)]
     fn arbitrary(_: Option<(f64, f64)>, source: &mut super::tests::Source) -> Self {
         let words = ["", "Weide", "a \"b\"\n", "\\#'\u{1f33e}", "// ) ]", "x: (", "\0"];
@@ -175,7 +200,7 @@ impl Value for String {
 
 macro_rules! vector {
     ($($length:literal)*) => {$(
-        impl<T: Value> Value for [T; $length]
+        impl<T: Number> Value for [T; $length]
         where
             Self: Serialize + for<'de> Deserialize<'de>,
         {
@@ -184,6 +209,12 @@ macro_rules! vector {
             }
             fn outside(&self, range: Option<(f64, f64)>) -> Option<String> {
                 self.iter().find_map(|part| part.outside(range))
+            }
+            fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool {
+                inspect::vector(self, info, inspector)
+            }
+            fn initial(range: Option<(f64, f64)>) -> Self {
+                [T::initial(range); $length]
             }
             #[cfg(test)]
             fn arbitrary(range: Option<(f64, f64)>, source: &mut super::tests::Source) -> Self {
@@ -209,6 +240,12 @@ impl<T: Value> Value for Vec<T> {
         let mut elements = self.iter().enumerate();
         elements.try_for_each(|(index, element)| element.check(&trail.clone().index(index)))
     }
+    fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool {
+        inspector.list(info, self)
+    }
+    fn initial(_: Option<(f64, f64)>) -> Self {
+        Self::new()
+    }
     #[cfg(test)]
     fn arbitrary(range: Option<(f64, f64)>, source: &mut super::tests::Source) -> Self {
         source.nested(|source, room| (0..room).map(|_| T::arbitrary(range, source)).collect())
@@ -227,6 +264,12 @@ impl<T: Value> Value for Option<T> {
     }
     fn check(&self, trail: &Trail) -> Result<(), Problem> {
         self.as_ref().map_or(Ok(()), |inner| inner.check(trail))
+    }
+    fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool {
+        inspector.optional(info, self)
+    }
+    fn initial(_: Option<(f64, f64)>) -> Self {
+        None
     }
     #[cfg(test)]
     fn arbitrary(range: Option<(f64, f64)>, source: &mut super::tests::Source) -> Self {

@@ -92,16 +92,23 @@ impl Edits {
         let near = saved.first.iter().all(|first| (-(1 << 40)..=1 << 40).contains(first));
         let sound = near && columns <= MAX_EDIT_SAMPLES && rows <= MAX_EDIT_SAMPLES && columns * rows == saved.heights.len() as u64;
         let low = saved.heights.iter().all(|height| height.abs() <= 1e5);
-        let changes = self.changes + 1;
+        // More than either had: who follows one of them sees that this is another.
+        let changes = self.changes.max(saved.changes) + 1;
         (sound && low && columns * rows <= Self::most(base)).then_some(Self { changes, laid: changes, recent: Vec::new(), ..saved })
     }
 
     /// Makes room for a square round `at` \[m\]; `base`: samples of the terrain below.
     pub(super) fn reserve(&mut self, at: [f64; 2], radius: f64, base: usize) -> Result<(), TerrainError> {
-        let (mut low, mut high) = ([0; 2], [0; 2]);
+        let low = at.map(|at| ((at - radius) / EDIT_SPACING).floor() as i64);
+        let high = at.map(|at| ((at + radius) / EDIT_SPACING).ceil() as i64);
+        self.cover(low, high, base)
+    }
+
+    /// Makes room for samples from `low` to `high`, both counted from the origin.
+    fn cover(&mut self, mut low: [i64; 2], mut high: [i64; 2], base: usize) -> Result<(), TerrainError> {
         for axis in 0..2 {
-            low[axis] = (((at[axis] - radius) / EDIT_SPACING).floor() as i64 - MARGIN).div_euclid(BLOCK) * BLOCK;
-            high[axis] = ((((at[axis] + radius) / EDIT_SPACING).ceil() as i64 + MARGIN).div_euclid(BLOCK) + 1) * BLOCK;
+            low[axis] = (low[axis] - MARGIN).div_euclid(BLOCK) * BLOCK;
+            high[axis] = ((high[axis] + MARGIN).div_euclid(BLOCK) + 1) * BLOCK;
             if !self.is_none() {
                 low[axis] = low[axis].min(self.first[axis]);
                 high[axis] = high[axis].max(self.first[axis] + i64::from(self.size[axis]));
@@ -117,6 +124,43 @@ impl Edits {
         if size != self.size || low != self.first {
             self.lay(low, size);
         }
+        Ok(())
+    }
+
+    /// Whether both add the same heights at the same places.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        self.first == other.first && self.size == other.size && self.heights == other.heights
+    }
+
+    /// Adds what `edited` adds beyond `usual`. Errors: all together would lie too far apart; then nothing has changed.
+    pub(super) fn add_beyond(&mut self, edited: &Self, usual: &Self, base: usize) -> Result<(), TerrainError> {
+        let shift = [0, 1].map(|axis| edited.first[axis] - usual.first[axis]);
+        let place = |index: usize| [index as i64 % i64::from(edited.size[0]), index as i64 / i64::from(edited.size[0])];
+        let near = |along: i64| along.clamp(-1, 1 << 30) as i32;
+        let beyond = |index: usize| {
+            let at = place(index);
+            edited.heights[index] - usual.sample(near(at[0] + shift[0]), near(at[1] + shift[1]))
+        };
+        let more: Vec<(usize, f32)> =
+            (0..edited.heights.len()).map(|index| (index, beyond(index))).filter(|(_, height)| *height != 0.0).collect();
+        let (mut low, mut high) = ([i64::MAX; 2], [i64::MIN; 2]);
+        for (index, _) in &more {
+            for (axis, along) in place(*index).into_iter().enumerate() {
+                (low[axis], high[axis]) = (low[axis].min(along + edited.first[axis]), high[axis].max(along + edited.first[axis]));
+            }
+        }
+        if more.is_empty() {
+            return Ok(());
+        }
+        self.cover(low, high, base)?;
+        for (index, height) in more {
+            let [column, row] = [0, 1].map(|axis| (place(index)[axis] + edited.first[axis] - self.first[axis]) as usize);
+            let own = &mut self.heights[row * self.size[0] as usize + column];
+            *own = clamped(*own + height, -1e5, 1e5);
+        }
+        self.changes = self.changes.max(edited.changes) + 1;
+        self.laid = self.changes;
+        self.recent.clear();
         Ok(())
     }
 

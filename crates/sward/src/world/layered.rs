@@ -31,7 +31,7 @@ struct Reached {
 }
 
 impl World {
-    /// A stand of meshes at rest in the wind of the start.
+    /// A stand of meshes at rest in the wind of now.
     pub(super) fn empty_layered(&self, stand: &LayeredStand) -> LayeredState {
         let model = &stand.harmonic;
         let mut waves = Waves::new(model.cells as usize);
@@ -41,7 +41,7 @@ impl World {
         LayeredState {
             notes: vec![waves.now.clone(); model.ring.notes as usize],
             waves,
-            drift: WindField::at(&self.model.sources, 0, self.model.dt, 1.0).mean,
+            drift: WindField::at(&self.model.sources, self.state.step, self.model.dt, 1.0).mean,
             pool: SheetPool::new(self.scene.budget.touched_plants),
             ..LayeredState::default()
         }
