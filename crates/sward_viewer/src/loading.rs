@@ -13,6 +13,8 @@ use crate::stage::{Backend, Stage};
 pub struct Loading {
     /// Where it comes from.
     pub source: Source,
+    /// Whether it is a changed scene that is shown already.
+    pub changed: bool,
     answer: Receiver<Result<Stage, String>>,
 }
 
@@ -20,6 +22,7 @@ impl Loading {
     /// Begins to open a scene; with `scene` instead of what the source says now. `done` is called at the end, from elsewhere.
     pub fn begin(gpu: &Arc<Gpu>, source: Source, scene: Option<Scene>, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
         let (tell, answer) = channel();
+        let changed = scene.is_some();
         let (gpu, from) = (Arc::clone(gpu), source.clone());
         elsewhere(move || {
             let opened = scene.map_or_else(|| from.scene(), Ok).and_then(|scene| Stage::new(&gpu, from, scene, backend));
@@ -27,7 +30,7 @@ impl Loading {
             let _ = tell.send(opened);
             done();
         });
-        Self { source, answer }
+        Self { source, changed, answer }
     }
 
     /// The scene, once it is there.

@@ -24,9 +24,9 @@ struct Arguments {
     /// Pixels drawn for each of the window's, 0.2 to 1
     #[arg(long, value_name = "SHARE")]
     pixels: Option<f32>,
-    /// Width and height of the window
-    #[arg(long, value_name = "WxH", default_value = "1280x760", value_parser = size)]
-    size: [f32; 2],
+    /// Width and height of the window; without it, those of last time
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[f32; 2]>,
     /// Take so many steps for every picture, whatever the clock says: for scripts
     #[arg(long, value_name = "STEPS")]
     steps: Option<u32>,
@@ -52,8 +52,12 @@ fn main() -> ExitCode {
         backend: if arguments.gpu { Backend::Gpu } else { Backend::Cpu },
     };
     let options = eframe::NativeOptions {
-        viewport: egui::ViewportBuilder::default().with_title("sward").with_inner_size(arguments.size).with_min_inner_size([480.0, 320.0]),
+        viewport: egui::ViewportBuilder::default()
+            .with_title("sward")
+            .with_inner_size(arguments.size.unwrap_or([1280.0, 760.0]))
+            .with_min_inner_size([480.0, 320.0]),
         renderer: eframe::Renderer::Wgpu,
+        persist_window: arguments.size.is_none(),
         wgpu_options: egui_wgpu::WgpuConfiguration::default(),
         ..Default::default()
     };

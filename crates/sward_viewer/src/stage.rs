@@ -29,6 +29,8 @@ pub struct Stage {
     pub source: Source,
     /// The scene as it was opened.
     pub opened: Scene,
+    /// The scene as it is now.
+    pub edited: Scene,
     /// The world.
     pub world: World,
     studio: Studio,
@@ -42,10 +44,10 @@ impl Stage {
     /// # Errors
     /// What is wrong with the scene, or what the device reports, in plain words.
     pub fn new(gpu: &Arc<Gpu>, source: Source, scene: Scene, backend: Backend) -> Result<Self, String> {
-        let opened = scene.clone();
+        let [opened, edited] = [scene.clone(), scene.clone()];
         let world = World::new(scene, &*source.assets()).map_err(|error| source.located(error))?;
         let studio = Studio::new(gpu, &world).map_err(|error| error.to_string())?;
-        let mut stage = Self { source, opened, world, studio, on_gpu: None, gpu: Arc::clone(gpu) };
+        let mut stage = Self { source, opened, edited, world, studio, on_gpu: None, gpu: Arc::clone(gpu) };
         stage.step_on(backend)?;
         Ok(stage)
     }
@@ -67,6 +69,34 @@ impl Stage {
             (Backend::Cpu, None) => {}
         }
         Ok(())
+    }
+
+    /// Takes over a changed scene while it runs, if what has changed can be changed so; `false`: it must be opened anew.
+    ///
+    /// # Errors
+    /// What is wrong with it; the scene before goes on.
+    pub fn adopt(&mut self, scene: &Scene) -> Result<bool, String> {
+        if still(&self.edited) != still(scene) || responses(&self.edited) != responses(scene) {
+            return Ok(false);
+        }
+        let backend = self.backend();
+        self.step_on(Backend::Cpu)?;
+        let assets = self.source.assets();
+        // Whoever is at a wheel stays there.
+        let driven: Vec<bool> = self.world.state.bodies.iter().map(|body| body.driven.is_some()).collect();
+        let mut changed = scene.clone();
+        for ((body, now), _) in
+            changed.interactors.iter_mut().zip(&self.world.scene.interactors).zip(&driven).filter(|(_, driven)| **driven)
+        {
+            body.path = now.path.clone();
+        }
+        let kept = self.world.rescene(changed, &*assets).map_err(|error| error.to_string())?;
+        self.edited = scene.clone();
+        if !kept.stands.iter().chain(&kept.bodies).all(|fate| fate.is_kept()) {
+            return Ok(false);
+        }
+        self.step_on(backend)?;
+        Ok(true)
     }
 
     /// Lets time pass, with somebody at the wheel. Returns the steps that were taken.
@@ -105,4 +135,17 @@ impl Stage {
         self.studio.show(&self.gpu, &self.world, cells, behind, size).map_err(|error| error.to_string())?;
         Ok(self.studio.shown())
     }
+}
+
+/// A scene without what may change while it runs.
+fn still(scene: &Scene) -> Scene {
+    let mut scene = Scene { title: String::new(), wind: Vec::new(), camera: Default::default(), ..scene.clone() };
+    scene.light = sward::scene::Light { environment: scene.light.environment.clone(), ..Default::default() };
+    scene.stands.iter_mut().for_each(|stand| stand.response = None);
+    scene
+}
+
+/// Which responses the stands have, whatever their numbers.
+fn responses(scene: &Scene) -> Vec<Option<std::mem::Discriminant<sward::scene::Response>>> {
+    scene.stands.iter().map(|stand| stand.response.as_ref().map(std::mem::discriminant)).collect()
 }

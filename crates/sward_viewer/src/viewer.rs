@@ -11,7 +11,7 @@ use crate::clock::Clock;
 use crate::drive::{Asked, Drive, Vehicle};
 use crate::loading::Loading;
 use crate::panels::tools::{self, Wish};
-use crate::panels::{help, scenes};
+use crate::panels::{help, parameters, scenes};
 use crate::source::Source;
 use crate::stage::{Backend, Stage};
 use crate::status::{Body, Log, Status};
@@ -42,6 +42,8 @@ pub struct Viewer {
     loading: Option<Loading>,
     /// What is wrong with the last scene that was asked for, or with the device.
     problem: Option<String>,
+    /// Scenes before each change, the last one last.
+    history: Vec<sward::scene::Scene>,
     texture: Option<(wgpu::Texture, egui::TextureId)>,
     camera: Camera,
     clock: Clock,
@@ -79,6 +81,7 @@ impl Viewer {
             stage: None,
             loading: None,
             problem: None,
+            history: Vec::new(),
             texture: None,
             camera: Camera::default(),
             clock: Clock { fixed: settings.steps, ..Clock::default() },
@@ -108,14 +111,69 @@ impl Viewer {
         self.written = source.written();
         let wake = context.clone();
         self.loading = Some(Loading::begin(&self.gpu, source, None, self.backend, move || wake.request_repaint()));
+        self.history.clear();
+    }
+
+    /// Changes the scene: at once where that can be, else beside the one that runs.
+    fn change(&mut self, context: &egui::Context, scene: sward::scene::Scene) {
+        let Some(stage) = &mut self.stage else { return };
+        match stage.adopt(&scene) {
+            Ok(true) => self.problem = None,
+            Ok(false) => {
+                let (wake, source) = (context.clone(), stage.source.clone());
+                // What the panel shows is what was asked for; the world follows when it is ready.
+                stage.edited = scene.clone();
+                self.loading = Some(Loading::begin(&self.gpu, source, Some(scene), self.backend, move || wake.request_repaint()));
+            }
+            Err(problem) => self.problem = Some(problem),
+        }
+    }
+
+    /// All parameters, and what can be done with them.
+    fn parameters(&mut self, ui: &mut egui::Ui) {
+        let Some(stage) = &self.stage else { return };
+        let (mut scene, opened) = (stage.edited.clone(), stage.opened.clone());
+        let before = scene.clone();
+        let mut wanted = None;
+        ui.horizontal(|ui| {
+            ui.strong("parameters");
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                if ui.small_button("copy as RON").on_hover_text("The whole scene as text, into the clipboard").clicked() {
+                    ui.ctx().copy_text(before.to_ron());
+                }
+                if ui.add_enabled(before != opened, egui::Button::new("reset").small()).on_hover_text("As it was opened").clicked() {
+                    wanted = Some(opened.clone());
+                }
+                if ui.add_enabled(!self.history.is_empty(), egui::Button::new("undo").small()).clicked() {
+                    wanted = self.history.pop();
+                }
+            });
+        });
+        let undone = wanted.is_some();
+        egui::ScrollArea::vertical().id_salt("parameters").auto_shrink([false, false]).show(ui, |ui| {
+            if parameters::show(ui, &mut scene) && !undone {
+                wanted = Some(scene);
+            }
+        });
+        let context = ui.ctx().clone();
+        if let Some(scene) = wanted.filter(|scene| *scene != before) {
+            // One entry for a whole drag of a slider.
+            if !undone && (self.history.is_empty() || !context.input(|input| input.pointer.is_decidedly_dragging())) {
+                self.history.push(before);
+            }
+            self.change(&context, scene);
+        }
     }
 
     /// Takes over what was opened meanwhile.
     fn arrive(&mut self) {
         let Some(answer) = self.loading.as_ref().and_then(Loading::poll) else { return };
-        self.loading = None;
+        let changed = self.loading.take().is_some_and(|loading| loading.changed);
         match answer {
-            Ok(stage) => {
+            Ok(mut stage) => {
+                if let Some(before) = self.stage.as_ref().filter(|_| changed) {
+                    stage.opened = before.opened.clone();
+                }
                 let same = self.stage.as_ref().is_some_and(|before| before.source.name() == stage.source.name());
                 self.problem = None;
                 self.drive = None;
@@ -390,6 +448,7 @@ impl eframe::App for Viewer {
         let mut wishes = Vec::new();
         self.keys(&context, &mut wishes);
         egui::Panel::left("tools").resizable(true).default_size(290.0).show(ui, |ui| self.side(ui, &mut wishes));
+        egui::Panel::right("parameters").resizable(true).default_size(330.0).show(ui, |ui| self.parameters(ui));
         if let Some(problem) = self.problem.clone() {
             egui::Panel::bottom("problem").show(ui, |ui| {
                 ui.horizontal(|ui| {

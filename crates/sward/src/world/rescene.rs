@@ -62,7 +62,7 @@ impl World {
                 || scene.budget.beyond != self.scene.budget.beyond,
             ground: false,
         };
-        let mut next = Self { scene, model, state: State::default(), lanes: self.lanes, texels };
+        let mut next = Self { scene, model, state: State::default(), lanes: self.lanes, viewed: self.viewed, texels };
         next.take_time(self, &mut old, changes);
         let ground = next.take_ground(self, &mut old, changes);
         changes.ground = !next.model.terrain.is_same(&self.model.terrain);

@@ -1,0 +1,193 @@
+//! Every parameter of a scene: sliders with units, what each means, lists that grow, choices that switch.
+
+use eframe::egui;
+use sward::scene::FieldInfo;
+use sward::scene::inspect::{Choice, Group, Inspector, List, NumberKind, Optional};
+
+/// Ranges that span more than so many times their least number move by ratios.
+const RATIO: f64 = 300.0;
+/// Fields that are not for sliders: what a scene is called, and how its format is numbered.
+const HIDDEN: [&str; 2] = ["version", "title"];
+
+/// Puts parameters into a panel.
+pub struct Sliders<'a> {
+    ui: &'a mut egui::Ui,
+    /// What an element of a list is called instead of its field.
+    name: Option<String>,
+}
+
+/// Shows a whole scene; the answer is whether something was changed.
+pub fn show(ui: &mut egui::Ui, scene: &mut dyn Group) -> bool {
+    scene.inspect_fields(&mut Sliders { ui, name: None })
+}
+
+impl Sliders<'_> {
+    fn label(&mut self, info: &FieldInfo) -> String {
+        self.name.take().unwrap_or_else(|| info.name.replace('_', " "))
+    }
+
+    /// A number's slider, or a number to drag where it has no range.
+    fn slide(ui: &mut egui::Ui, info: &FieldInfo, kind: NumberKind, number: &mut f64) -> bool {
+        let suffix = if info.unit.is_empty() { String::new() } else { format!(" {}", info.unit) };
+        let (low, high) = info.range.unwrap_or_else(|| kind.bounds());
+        let wide = high - low > 1e5;
+        let response = if wide {
+            let speed = (number.abs() * 0.01).max(if kind.is_whole() { 0.2 } else { 0.01 });
+            let drag = egui::DragValue::new(number).range(low..=high).speed(speed).suffix(suffix);
+            ui.add(if kind.is_whole() { drag.max_decimals(0) } else { drag.max_decimals(4) })
+        } else {
+            let ratio =
+                low >= 0.0 && high > RATIO * low.max(high / 1e6).min(high / RATIO) && high / low.max(1e-9) > RATIO && !kind.is_whole();
+            let slider =
+                egui::Slider::new(number, low..=high).suffix(suffix).logarithmic(ratio).smallest_positive(high / 1e5).max_decimals(4);
+            ui.add(if kind.is_whole() { slider.integer() } else { slider })
+        };
+        response.on_hover_text(info.doc).changed()
+    }
+
+    /// A fold with something inside.
+    fn fold(&mut self, info: &FieldInfo, title: &str, inside: impl FnOnce(&mut egui::Ui) -> bool) -> bool {
+        let id = self.ui.id().with((info.name, title));
+        let fold = egui::CollapsingHeader::new(title).id_salt(id).show(self.ui, inside);
+        fold.header_response.on_hover_text(info.doc);
+        fold.body_returned.unwrap_or(false)
+    }
+}
+
+impl Inspector for Sliders<'_> {
+    fn number(&mut self, info: &FieldInfo, kind: NumberKind, number: &mut f64) -> bool {
+        if HIDDEN.contains(&info.name) {
+            return false;
+        }
+        let label = self.label(info);
+        let row = self.ui.horizontal(|ui| {
+            let changed = Self::slide(ui, info, kind, number);
+            ui.label(label).on_hover_text(info.doc);
+            changed
+        });
+        row.inner
+    }
+
+    fn vector(&mut self, info: &FieldInfo, kind: NumberKind, parts: &mut [f64]) -> bool {
+        let label = self.label(info);
+        let (low, high) = info.range.unwrap_or_else(|| kind.bounds());
+        let suffix = if info.unit.is_empty() { String::new() } else { format!(" {}", info.unit) };
+        let row = self.ui.horizontal(|ui| {
+            let mut changed = false;
+            let colour = parts.len() == 3 && info.name.contains("colour");
+            if colour {
+                let mut rgb = [parts[0] as f32, parts[1] as f32, parts[2] as f32];
+                if ui.color_edit_button_rgb(&mut rgb).changed() {
+                    parts.iter_mut().zip(rgb).for_each(|(part, new)| *part = f64::from(new));
+                    changed = true;
+                }
+            } else {
+                for part in parts {
+                    let speed = ((high - low).min(100.0) / 400.0).max(0.001);
+                    let drag = egui::DragValue::new(part).range(low..=high).speed(speed).max_decimals(3).suffix(&suffix);
+                    changed |= ui.add(drag).on_hover_text(info.doc).changed();
+                }
+            }
+            ui.label(label).on_hover_text(info.doc);
+            changed
+        });
+        row.inner
+    }
+
+    fn flag(&mut self, info: &FieldInfo, flag: &mut bool) -> bool {
+        let label = self.label(info);
+        self.ui.checkbox(flag, label).on_hover_text(info.doc).changed()
+    }
+
+    fn text(&mut self, info: &FieldInfo, text: &mut String) -> bool {
+        if HIDDEN.contains(&info.name) {
+            return false;
+        }
+        let label = self.label(info);
+        let row = self.ui.horizontal(|ui| {
+            let edit = ui.add(egui::TextEdit::singleline(text).desired_width(140.0));
+            ui.label(label).on_hover_text(info.doc);
+            edit.lost_focus() && edit.changed() || edit.changed()
+        });
+        row.inner
+    }
+
+    fn list(&mut self, info: &FieldInfo, list: &mut dyn List) -> bool {
+        let title = format!("{} ({})", self.label(info), list.length());
+        self.fold(info, &title, |ui| {
+            let (mut changed, mut gone) = (false, None);
+            for index in 0..list.length() {
+                ui.push_id(index, |ui| {
+                    ui.horizontal_top(|ui| {
+                        if ui.small_button("✕").on_hover_text("Take it away").clicked() {
+                            gone = Some(index);
+                        }
+                        ui.vertical(|ui| {
+                            let name = Some(format!("{} {}", info.name.trim_end_matches('s'), index + 1));
+                            changed |= list.inspect_element(index, info, &mut Sliders { ui, name });
+                        });
+                    });
+                });
+            }
+            if let Some(index) = gone {
+                list.remove(index);
+                changed = true;
+            }
+            if ui.small_button("＋").on_hover_text("One more").clicked() {
+                list.add(info);
+                changed = true;
+            }
+            changed
+        })
+    }
+
+    fn optional(&mut self, info: &FieldInfo, optional: &mut dyn Optional) -> bool {
+        let mut present = optional.is_present();
+        let label = self.label(info);
+        if !present {
+            let there = self.ui.checkbox(&mut present, egui::RichText::new(label).weak()).on_hover_text(info.doc).changed();
+            if there {
+                optional.set_present(true, info);
+            }
+            return there;
+        }
+        let row = self.ui.horizontal_top(|ui| {
+            let gone = ui.checkbox(&mut present, "").on_hover_text("Leave it to the species, or out").changed();
+            if gone {
+                optional.set_present(false, info);
+                return true;
+            }
+            ui.vertical(|ui| optional.inspect_inside(info, &mut Sliders { ui, name: Some(label) })).inner
+        });
+        row.inner
+    }
+
+    fn group(&mut self, info: &FieldInfo, group: &mut dyn Group) -> bool {
+        let title = self.label(info);
+        self.fold(info, &title, |ui| group.inspect_fields(&mut Sliders { ui, name: None }))
+    }
+
+    fn choice(&mut self, info: &FieldInfo, choice: &mut dyn Choice) -> bool {
+        let label = self.label(info);
+        let id = self.ui.id().with((info.name, &label, "choice"));
+        let mut changed = false;
+        self.ui.horizontal(|ui| {
+            let (now, variants) = (choice.chosen(), choice.variants());
+            let shown = variants.get(now).map_or("", |variant| variant.name);
+            let mut wanted = now;
+            egui::ComboBox::from_id_salt(id).selected_text(shown).show_ui(ui, |ui| {
+                for (index, variant) in variants.iter().enumerate() {
+                    ui.selectable_value(&mut wanted, index, variant.name).on_hover_text(variant.doc);
+                }
+            });
+            ui.label(&label).on_hover_text(info.doc);
+            if wanted != now {
+                changed = choice.choose(wanted);
+            }
+        });
+        let inside = self
+            .ui
+            .indent(id, |ui| ui.push_id(id.with(choice.chosen()), |ui| choice.inspect_inside(info, &mut Sliders { ui, name: None })).inner);
+        changed | inside.inner
+    }
+}
