@@ -47,6 +47,7 @@ fn main() -> ExitCode {
     let settings = Settings {
         scene: arguments.scene.as_deref().map(Source::named),
         steps: arguments.steps,
+        size: arguments.size,
         fineness: arguments.pixels,
         status: arguments.status.map(Log::new),
         backend: if arguments.gpu { Backend::Gpu } else { Backend::Cpu },

@@ -25,6 +25,8 @@ pub struct Settings {
     pub steps: Option<u32>,
     /// Pixels drawn for each of the window's; `None` lets the adapter decide.
     pub fineness: Option<f32>,
+    /// The window's width and height; `None`: as last time.
+    pub size: Option<[f32; 2]>,
     /// Where a line goes after every picture.
     pub status: Option<Log>,
     /// Where cells move.
@@ -74,6 +76,9 @@ impl Viewer {
         // A software adapter shares the processor with everything else.
         let usual = if info.device_type == wgpu::DeviceType::Cpu { 0.5 } else { 1.0 };
         let gpu = Arc::new(Gpu::watch(device.device.clone(), device.queue.clone(), info));
+        if let Some(size) = settings.size {
+            context.egui_ctx.send_viewport_cmd(egui::ViewportCommand::InnerSize(size.into()));
+        }
         let now = Instant::now();
         let mut viewer = Self {
             gpu,
@@ -452,10 +457,11 @@ impl eframe::App for Viewer {
         if let Some(problem) = self.problem.clone() {
             egui::Panel::bottom("problem").show(ui, |ui| {
                 ui.horizontal(|ui| {
-                    if ui.button("✕").on_hover_text("I have seen it").clicked() {
+                    if ui.button("×").on_hover_text("I have seen it").clicked() {
                         self.problem = None;
                     }
-                    ui.label(egui::RichText::new(problem).monospace().color(egui::Color32::from_rgb(255, 140, 110)));
+                    let words = egui::RichText::new(problem).monospace().color(egui::Color32::from_rgb(255, 140, 110));
+                    ui.add(egui::Label::new(words).wrap());
                 });
             });
         }

@@ -29,7 +29,8 @@ pub(crate) fn run(console: &Console) -> Result<(), Failure> {
          Try next:\n  \
          sward scenes                                 other scenes\n  \
          sward render reed --time 4                   another picture\n  \
-         sward scenes hello > my_scene.ron            a scene to change; then: sward render my_scene.ron",
+         sward scenes hello > my_scene.ron            a scene to change; then: sward render my_scene.ron\n  \
+         cargo run --release -p sward_viewer          a window to play in",
         place.display(),
         opened.scene.title,
         done.seconds,

@@ -119,7 +119,7 @@ impl Inspector for Sliders<'_> {
             for index in 0..list.length() {
                 ui.push_id(index, |ui| {
                     ui.horizontal_top(|ui| {
-                        if ui.small_button("✕").on_hover_text("Take it away").clicked() {
+                        if ui.small_button("×").on_hover_text("Take it away").clicked() {
                             gone = Some(index);
                         }
                         ui.vertical(|ui| {
@@ -133,7 +133,7 @@ impl Inspector for Sliders<'_> {
                 list.remove(index);
                 changed = true;
             }
-            if ui.small_button("＋").on_hover_text("One more").clicked() {
+            if ui.small_button("+").on_hover_text("One more").clicked() {
                 list.add(info);
                 changed = true;
             }
