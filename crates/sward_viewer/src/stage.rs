@@ -83,14 +83,18 @@ impl Stage {
         self.step_on(Backend::Cpu)?;
         let assets = self.source.assets();
         // Whoever is at a wheel stays there.
-        let driven: Vec<bool> = self.world.state.bodies.iter().map(|body| body.driven.is_some()).collect();
         let mut changed = scene.clone();
-        for ((body, now), _) in
-            changed.interactors.iter_mut().zip(&self.world.scene.interactors).zip(&driven).filter(|(_, driven)| **driven)
-        {
+        let now = self.world.scene.interactors.iter().zip(&self.world.state.bodies);
+        for (body, (now, _)) in changed.interactors.iter_mut().zip(now).filter(|(_, (_, state))| state.driven.is_some()) {
             body.path = now.path.clone();
         }
-        let kept = self.world.rescene(changed, &*assets).map_err(|error| error.to_string())?;
+        let kept = match self.world.rescene(changed, &*assets) {
+            Ok(kept) => kept,
+            Err(error) => {
+                self.step_on(backend)?;
+                return Err(error.to_string());
+            }
+        };
         self.edited = scene.clone();
         if !kept.stands.iter().chain(&kept.bodies).all(|fate| fate.is_kept()) {
             return Ok(false);

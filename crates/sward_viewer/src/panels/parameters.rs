@@ -107,7 +107,7 @@ impl Inspector for Sliders<'_> {
         let row = self.ui.horizontal(|ui| {
             let edit = ui.add(egui::TextEdit::singleline(text).desired_width(140.0));
             ui.label(label).on_hover_text(info.doc);
-            edit.lost_focus() && edit.changed() || edit.changed()
+            edit.changed()
         });
         row.inner
     }
