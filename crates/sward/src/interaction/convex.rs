@@ -25,6 +25,15 @@ pub struct Footprint {
     pub edges: Vec<ContactEdge>,
 }
 
+impl Footprint {
+    /// Its corners in order, m from the authored origin, where cells are so wide \[m\].
+    pub fn outline(&self, spacing: f64) -> Vec<[f64; 2]> {
+        let part = spacing / f64::from(1_u32 << self.contact.shift);
+        let corner = |edge: &ContactEdge| [0, 1].map(|axis| self.corner[axis] as f64 * spacing + f64::from(edge.start[axis]) * part);
+        self.edges.iter().map(corner).collect()
+    }
+}
+
 /// Largest extent of a footprint in units: products of two stay below 2³¹.
 const LARGEST: i64 = 1 << 14;
 

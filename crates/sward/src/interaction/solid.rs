@@ -160,6 +160,17 @@ impl WorldSolid {
         self.low[1]
     }
 
+    /// How deep a point (x, y, z) is in it, m: to first order for one that is an ellipsoid. 0 outside.
+    pub fn depth(&self, at: [f64; 3]) -> f64 {
+        if (0..3).any(|axis| at[axis] <= self.low[axis] || at[axis] >= self.high[axis]) {
+            return 0.0;
+        }
+        let mut solids = Solids::default();
+        self.add_to(&mut solids, [at[0], at[2]]);
+        let near = nearness(&solids.heads[0], &solids.planes, [0.0, at[1] as f32, 0.0], false);
+        if near.distance < 0.0 { f64::from(-near.distance) } else { 0.0 }
+    }
+
     /// Adds it to the solids of the patch whose corner is at `corner` (x, z), m.
     pub fn add_to(&self, solids: &mut Solids, corner: [f64; 2]) {
         let local = |p: [f64; 3]| [(p[0] - corner[0]) as f32, p[1] as f32, (p[2] - corner[1]) as f32, 0.0];

@@ -114,6 +114,12 @@ fn uniform(blade: &Blade, seen: &Mat4, eye: Vec3, look: &Look) -> BladeUniform {
     }
 }
 
+/// Numbers for blades that are not drawn but asked about: all of them, whole, in their largest number of pieces.
+pub(super) fn everywhere(blade: &Blade, look: &Look) -> BladeUniform {
+    let near = uniform(blade, &Mat4::IDENTITY, Vec3::ZERO, look);
+    BladeUniform { distances: [1e8, 2e8, 3e8, 4e8], ..near }
+}
+
 /// A square of a patch in sight.
 struct Square {
     /// n·r at its middle.

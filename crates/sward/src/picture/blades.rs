@@ -77,6 +77,20 @@ impl Blades<'_> {
         }
     }
 
+    /// All blades of one patch whether they would be drawn or not; `found` gets each with the points of its strip, root first.
+    pub(super) fn all_of_patch(&self, draw: &PatchDraw, mut found: impl FnMut(&Blade, &[Vec3])) {
+        let phases = self.preparing.phases(draw);
+        let growth = self.preparing.growth(draw);
+        let mut points = [Vec3::ZERO; blade::MOST_PIECES + 1];
+        let points = &mut points[..=self.uniform.pieces[0] as usize];
+        for rank in 0..draw.count {
+            if let Some(grown) = self.grown(draw, growth.as_deref(), [0, rank], false) {
+                self.bend(draw, &phases, &grown, 0, points);
+                found(&grown.blade, points);
+            }
+        }
+    }
+
     /// One blade of the picture after, as it was: with as many points as there, though it may not have been drawn.
     pub fn past(
         &self,

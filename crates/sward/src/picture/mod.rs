@@ -2,7 +2,8 @@
 //!
 //! `sward_wgpu` and `sward_raster` both draw from it: [`plan`] decides which patches are seen, [`prepare`] solves each visible plant
 //! once (on a GPU `prepare.wgsl` does), [`frame`] lays out camera, light and shadow map, [`subject`] gives looks, meshes and poses.
-//! Where a scene has a picture of its surroundings, [`volume`] works out the light among the plants. Beside a picture there may be outputs of each pixel, [`aov`], for which [`past`] remembers the picture before.
+//! Where a scene has a picture of its surroundings, [`volume`] works out the light among the plants. Beside a picture there may be outputs of each pixel, [`aov`], for which [`past`] remembers the picture before. [`standing`] tells of single plants what a picture
+//! shows of them.
 
 pub mod aov;
 pub mod blade_plan;
@@ -16,6 +17,7 @@ pub mod plants;
 pub mod prepare;
 mod sheet_at;
 mod sheets;
+pub mod standing;
 pub mod subject;
 pub mod volume;
 

@@ -19,12 +19,17 @@ impl World {
 
     /// The wind `behind` steps (0 to 1) before the state.
     pub fn wind_before(&self, stand: &StandModel, behind: f64) -> WindField {
-        let node = stand.spacing * f64::from(continuum::NODE_CELLS);
+        self.wind_on(stand.spacing, stand.cells, behind)
+    }
+
+    /// The wind on the nodes of patches of so many cells a side, each so many metres wide.
+    pub(super) fn wind_on(&self, spacing: f64, cells: u32, behind: f64) -> WindField {
+        let node = spacing * f64::from(continuum::NODE_CELLS);
         let mut wind = WindField::before(&self.model.sources, self.state.step, behind, self.model.dt, node);
         wind.images = self.model.images.clone();
         let fluids = self.model.fluids.iter().zip(&self.state.fluids);
         wind.fluids = fluids.map(|(fluid, flow)| fluid.field(flow, self.state.step, behind, node)).collect();
-        wind.footprints = self.model.blowers.iter().filter_map(|blower| self.blown(blower, stand.cells, node, behind)).collect();
+        wind.footprints = self.model.blowers.iter().filter_map(|blower| self.blown(blower, cells, node, behind)).collect();
         wind
     }
 

@@ -1,6 +1,8 @@
-//! What a game or a test asks of a world: how far plants lean.
+//! What a game or a test asks of a world: how far plants lean, how the wind blows, where the bodies are.
 
 use super::World;
+use crate::interaction::solid::WorldSolid;
+use crate::interaction::{Grid, Piece, swept_between};
 use crate::model::StandModel;
 use crate::placement::{self, Growing, Plant};
 use crate::plan::{around, weights};
@@ -38,6 +40,62 @@ impl World {
             }
             None => Some(continuum::Rest::of(&self.wind(model), patch, model.cells, model.species.continuum.wind).at(i as i32, j as i32)),
         }
+    }
+
+    /// [`World::bend_at`] of many places.
+    pub fn bends_at(&self, stand: usize, places: &[[f64; 2]]) -> Vec<Option<[f32; 2]>> {
+        places.iter().map(|place| self.bend_at(stand, *place)).collect()
+    }
+
+    /// Velocity of the air over a ground position [m from the authored origin] in the coming step, along x and z, m/s: of all sources, as the plants of
+    /// the first stand feel it.
+    pub fn wind_at(&self, ground: [f64; 2]) -> [f32; 2] {
+        self.winds_at(&[ground]).pop().unwrap_or_default()
+    }
+
+    /// [`World::wind_at`] of many places.
+    pub fn winds_at(&self, places: &[[f64; 2]]) -> Vec<[f32; 2]> {
+        let side = self.model.patch_side;
+        let (spacing, cells) = self.model.stands.first().map_or((side / 8.0, 8), |stand| (stand.spacing, stand.cells));
+        let wind = self.wind_on(spacing, cells, 0.0);
+        let velocity = |place: &[f64; 2]| {
+            let patch = place.map(|metres| (metres / side).floor() as i32);
+            let local = [0, 1].map(|axis: usize| (place[axis] - f64::from(patch[axis]) * side) as f32);
+            wind.velocity_local(&wind.patch_phases(patch, cells / continuum::NODE_CELLS), local)
+        };
+        places.iter().map(velocity).collect()
+    }
+
+    /// The bodies as they stand, as solids in the world; none of those that are away.
+    pub fn solids_now(&self) -> Vec<WorldSolid> {
+        let mut solids = Vec::new();
+        for (index, (body, state)) in self.model.bodies.iter().zip(&self.state.bodies).enumerate() {
+            let Some(pose) = &state.pose else { continue };
+            let moved: Vec<Piece> = body.pieces_between(state).into_iter().map(|[_, now]| now).collect();
+            let pieces = if body.is_animated() { &moved } else { &body.pieces };
+            solids.extend(pieces.iter().filter_map(|piece| WorldSolid::new(piece, pose, 0, index as u32)));
+        }
+        solids
+    }
+
+    /// Outlines on the ground of what the bodies swept in the last step, m: number of the body, and the corners in order.
+    pub fn swept_now(&self) -> Vec<(usize, Vec<[f64; 2]>)> {
+        let grid = self.model.stands.first().map_or(Grid { spacing: 0.05, plant_height: 1.0 }, |stand| Grid {
+            spacing: stand.spacing,
+            plant_height: stand.species.height[1],
+        });
+        let mut found = Vec::new();
+        for (index, (body, state)) in self.model.bodies.iter().zip(&self.state.bodies).enumerate() {
+            let (Some(before), Some(now)) = (&state.before, &state.pose) else { continue };
+            let moving = body.pieces_between(state);
+            let still = body.pieces.iter().filter(|_| !body.is_animated()).map(|piece| [piece, piece]);
+            for pair in moving.iter().map(|[from, to]| [from, to]).chain(still) {
+                if let Some(print) = swept_between(pair, before, now, self.model.dt, &grid, index as u32) {
+                    found.push((index, print.outline(grid.spacing)));
+                }
+            }
+        }
+        found
     }
 
     /// How far the tip of an upright blade without a state leans at a place of a patch.

@@ -1,0 +1,83 @@
+//! Opening scenes: asked for by name, chosen, dropped, or written again.
+
+use eframe::egui;
+use web_time::Instant;
+
+use super::{LOOK, Viewer};
+use crate::camera::Camera;
+use crate::loading::Loading;
+use crate::source::Source;
+
+impl Viewer {
+    /// Begins to open a scene; the one that is there goes on until the other is.
+    pub(super) fn open(&mut self, context: &egui::Context, source: Source) {
+        self.written = source.written();
+        let wake = context.clone();
+        self.loading = Some(Loading::begin(&self.gpu, source, None, self.backend, move || wake.request_repaint()));
+        self.history.clear();
+    }
+
+    /// Takes over what was opened meanwhile.
+    pub(super) fn arrive(&mut self) {
+        let Some(answer) = self.loading.as_ref().and_then(Loading::poll) else { return };
+        let changed = self.loading.take().is_some_and(|loading| loading.changed);
+        match answer {
+            Ok(mut stage) => {
+                if let Some(before) = self.stage.as_ref().filter(|_| changed) {
+                    stage.opened = before.opened.clone();
+                }
+                let same = self.stage.as_ref().is_some_and(|before| before.source.name() == stage.source.name());
+                self.problem = None;
+                self.drive = None;
+                if !same {
+                    self.camera = Camera::default();
+                    self.chosen = (!stage.world.scene.interactors.is_empty()).then_some(0);
+                }
+                self.stage = Some(stage);
+            }
+            Err(problem) => self.problem = Some(problem),
+        }
+    }
+
+    /// Opens the scene's file again when somebody has written it.
+    pub(super) fn reload(&mut self, context: &egui::Context) {
+        if self.looked.elapsed().as_secs_f32() < LOOK || self.loading.is_some() {
+            return;
+        }
+        self.looked = Instant::now();
+        let source = self.stage.as_ref().map(|stage| stage.source.clone());
+        if let Some(source) = source.filter(|source| source.written().is_some_and(|at| self.written != Some(at))) {
+            self.open(context, source);
+        }
+    }
+
+    /// Files that were dropped on the window, or chosen in a dialog.
+    pub(super) fn receive(&mut self, context: &egui::Context) {
+        let dropped = context.input(|input| input.raw.dropped_files.first().cloned());
+        if let Some(file) = dropped {
+            let text = file.bytes.as_ref().map(|bytes| String::from_utf8_lossy(bytes).into_owned());
+            match (file.path, text) {
+                (Some(path), _) => self.open(context, Source::File(path)),
+                (None, Some(text)) => self.open(context, Source::Text(file.name, text)),
+                (None, None) => {}
+            }
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        {
+            self.dialog.update(context);
+            if let Some(path) = self.dialog.take_picked() {
+                self.open(context, Source::File(path));
+            }
+        }
+    }
+
+    /// Opens the dialog of files; in a browser files are dropped on the page.
+    pub(super) fn ask_for_file(&mut self) {
+        #[cfg(not(target_arch = "wasm32"))]
+        self.dialog.pick_file();
+        #[cfg(target_arch = "wasm32")]
+        {
+            self.problem = Some("drop a scene file on the page to open it".to_owned());
+        }
+    }
+}

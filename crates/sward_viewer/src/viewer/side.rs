@@ -1,0 +1,48 @@
+//! What lies to the left of the picture.
+
+use eframe::egui;
+
+use super::Viewer;
+use crate::panels::scenes;
+use crate::panels::tools::{self, Wish};
+use crate::stage::Stage;
+
+impl Viewer {
+    pub(super) fn side(&mut self, ui: &mut egui::Ui, wishes: &mut Vec<Wish>) {
+        let context = ui.ctx().clone();
+        egui::ScrollArea::vertical().show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.heading("sward");
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    if ui.button("?").on_hover_text("Keys (F1)").clicked() {
+                        self.help = !self.help;
+                    }
+                    if ui.button("open…").on_hover_text("A scene file of your own (O); or drop it on the window").clicked() {
+                        self.ask_for_file();
+                    }
+                });
+            });
+            ui.separator();
+            if let Some(source) = scenes::show(ui, self.stage.as_ref().map(|stage| &stage.source)) {
+                self.open(&context, source);
+            }
+            ui.separator();
+            tools::time(ui, &mut self.clock, wishes);
+            ui.separator();
+            ui.strong("camera");
+            tools::camera(ui, self.camera.kind, wishes);
+            ui.separator();
+            ui.strong("bodies");
+            let names: Vec<String> = self.names();
+            tools::wheel(ui, &names, self.chosen, self.drive.as_ref(), wishes);
+            ui.separator();
+            let backend = self.stage.as_ref().map_or(self.backend, Stage::backend);
+            tools::machine(ui, backend, &mut self.fineness, &self.gpu.adapter_info.name, wishes);
+        });
+    }
+
+    pub(super) fn names(&self) -> Vec<String> {
+        let bodies = self.stage.iter().flat_map(|stage| stage.world.scene.interactors.iter().enumerate());
+        bodies.map(|(index, body)| if body.name.is_empty() { format!("body {}", index + 1) } else { body.name.clone() }).collect()
+    }
+}

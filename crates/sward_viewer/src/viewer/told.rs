@@ -1,0 +1,25 @@
+//! What scripts are told.
+
+use super::Viewer;
+use crate::status::{Body, Status};
+
+impl Viewer {
+    /// What scripts are told.
+    pub(super) fn told(&self) -> Status {
+        let world = self.stage.as_ref().map(|stage| &stage.world);
+        let bend = |at: [f64; 2]| world.and_then(|world| (0..world.model.stands.len()).find_map(|stand| world.bend_at(stand, at)));
+        let at = |body: usize| world.and_then(|world| world.pose_before(body, 0.0)).map(|pose| pose.ground);
+        let body = |(index, name): (usize, String)| Body { name, at: at(index), bend: at(index).and_then(bend) };
+        Status {
+            scene: self.stage.as_ref().map_or_else(String::new, |stage| stage.source.name()),
+            step: world.map_or(0, |world| world.state.step),
+            camera: self.camera.kind.name(),
+            paused: self.clock.paused,
+            driving: self.drive.and_then(|drive| self.names().get(drive.body).cloned()),
+            bodies: self.names().into_iter().enumerate().map(body).collect(),
+            longest: self.longest,
+            problem: self.problem.clone(),
+            pictures: self.pictures,
+        }
+    }
+}
