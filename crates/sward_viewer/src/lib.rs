@@ -1,15 +1,23 @@
 //! A window in which vegetation reacts: all shipped scenes and your own, vehicles to drive, cameras, and a look inside.
 //!
-//! One way: input → [`drive`], [`camera`] → [`stage`] (steps, draws) → [`viewer`] (lays out) → [`panels`].
+//! One way: input → [`drive`], [`hand`], [`camera`] → [`stage`] (steps, draws) → [`overlay`], [`probe`], [`timing`] (look inside) → [`viewer`] (lays
+//! out) → [`panels`].
 
 #![forbid(unsafe_code)]
 
 pub mod camera;
 pub mod clock;
+pub mod compare;
 pub mod drive;
+pub mod hand;
 pub mod loading;
+pub mod marks;
+pub mod overlay;
 pub mod panels;
+pub mod probe;
+pub mod sight;
 pub mod source;
 pub mod stage;
 pub mod status;
+pub mod timing;
 pub mod viewer;

@@ -4,10 +4,19 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use sward::scene::Scene;
+use sward::world::World;
 use sward_wgpu::gpu::Gpu;
 
 use crate::source::Source;
 use crate::stage::{Backend, Stage};
+
+/// What is to be made ready.
+pub enum What {
+    /// What the source says now.
+    Source,
+    /// A changed scene, from where a world is.
+    Changed(Box<(Scene, World)>),
+}
 
 /// A scene that is being opened.
 pub struct Loading {
@@ -19,13 +28,16 @@ pub struct Loading {
 }
 
 impl Loading {
-    /// Begins to open a scene; with `scene` instead of what the source says now. `done` is called at the end, from elsewhere.
-    pub fn begin(gpu: &Arc<Gpu>, source: Source, scene: Option<Scene>, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
+    /// Begins to open a scene. `done` is called at the end, from elsewhere.
+    pub fn begin(gpu: &Arc<Gpu>, source: Source, what: What, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
         let (tell, answer) = channel();
-        let changed = scene.is_some();
+        let changed = matches!(what, What::Changed(_));
         let (gpu, from) = (Arc::clone(gpu), source.clone());
         elsewhere(move || {
-            let opened = scene.map_or_else(|| from.scene(), Ok).and_then(|scene| Stage::new(&gpu, from, scene, backend));
+            let opened = match what {
+                What::Source => from.scene().and_then(|scene| Stage::new(&gpu, from, scene, backend)),
+                What::Changed(from_here) => Stage::changed(&gpu, from, from_here.0, from_here.1, backend),
+            };
             // Nobody waits any more if another scene was asked for.
             let _ = tell.send(opened);
             done();

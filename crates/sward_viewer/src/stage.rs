@@ -2,16 +2,18 @@
 
 use std::sync::Arc;
 
-use sward::scene::Scene;
+use sward::scene::{Driven, Path, Scene};
 use sward::view::View;
 use sward::world::World;
 use sward_wgpu::compute::GpuStep;
 use sward_wgpu::gpu::Gpu;
+use sward_wgpu::stopwatch::Stopwatch;
 use sward_wgpu::studio::{CellsAt, Studio};
+use web_time::Instant;
 
 use crate::clock::Passing;
-use crate::drive::{Asked, Drive};
 use crate::source::Source;
+use crate::timing::{self, Times};
 
 /// Where cells move.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,6 +25,24 @@ pub enum Backend {
     Gpu,
 }
 
+/// Where somebody puts a body in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move {
+    /// Its number.
+    pub body: usize,
+    /// m.
+    pub ground: [f64; 2],
+    /// Heading, rad.
+    pub yaw: f64,
+    /// Height over the ground, m.
+    pub clearance: f64,
+}
+
+/// A change that took longer, ms, is made beside the window the next time.
+const FELT: f64 = 60.0;
+/// Pictures between two looks at the device's clock.
+const CLOCK: u64 = 6;
+
 /// A scene that runs.
 pub struct Stage {
     /// Where it comes from.
@@ -31,11 +51,17 @@ pub struct Stage {
     pub opened: Scene,
     /// The scene as it is now.
     pub edited: Scene,
+    /// The scene that runs: `edited`, unless a change is still on its way.
+    running: Scene,
     /// The world.
     pub world: World,
     studio: Studio,
     on_gpu: Option<GpuStep>,
     gpu: Arc<Gpu>,
+    /// Milliseconds of the last change while it ran.
+    adopted: f64,
+    /// What draws no longer fits the world: another stage is on its way.
+    stale: bool,
 }
 
 impl Stage {
@@ -44,12 +70,53 @@ impl Stage {
     /// # Errors
     /// What is wrong with the scene, or what the device reports, in plain words.
     pub fn new(gpu: &Arc<Gpu>, source: Source, scene: Scene, backend: Backend) -> Result<Self, String> {
-        let [opened, edited] = [scene.clone(), scene.clone()];
-        let world = World::new(scene, &*source.assets()).map_err(|error| source.located(error))?;
+        let world = World::new(scene.clone(), &*source.assets()).map_err(|error| source.located(error))?;
+        Self::of(gpu, source, scene, world, backend)
+    }
+
+    /// A changed scene that goes on from where `world` is; takes as long, and may run anywhere. `scene` is as its author wrote it.
+    ///
+    /// # Errors
+    /// As [`Stage::new`].
+    pub fn changed(gpu: &Arc<Gpu>, source: Source, scene: Scene, mut world: World, backend: Backend) -> Result<Self, String> {
+        world.rescene(with_drivers(&world, &scene), &*source.assets()).map_err(|error| error.to_string())?;
+        Self::of(gpu, source, scene, world, backend)
+    }
+
+    fn of(gpu: &Arc<Gpu>, source: Source, scene: Scene, world: World, backend: Backend) -> Result<Self, String> {
         let studio = Studio::new(gpu, &world).map_err(|error| error.to_string())?;
-        let mut stage = Self { source, opened, edited, world, studio, on_gpu: None, gpu: Arc::clone(gpu) };
+        let [opened, edited, running] = [scene.clone(), scene.clone(), scene];
+        let mut stage =
+            Self { source, opened, edited, running, world, studio, on_gpu: None, gpu: Arc::clone(gpu), adopted: 0.0, stale: false };
         stage.step_on(backend)?;
         Ok(stage)
+    }
+
+    /// The world as it is, with its cells, for [`Stage::changed`].
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn copied(&mut self) -> Result<World, String> {
+        if let Some(step) = &mut self.on_gpu {
+            step.download(&self.gpu, &mut self.world).map_err(|error| error.to_string())?;
+        }
+        Ok(self.world.clone())
+    }
+
+    /// Brings the cells to the processor, where a device steps: for whoever looks at them.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn bring(&mut self) -> Result<(), String> {
+        match &mut self.on_gpu {
+            Some(step) => step.download(&self.gpu, &mut self.world).map_err(|error| error.to_string()),
+            None => Ok(()),
+        }
+    }
+
+    /// A change was refused while it was made ready: the panel shows what runs.
+    pub fn refused(&mut self) {
+        self.edited = self.running.clone();
     }
 
     /// Where it is stepped.
@@ -71,74 +138,114 @@ impl Stage {
         Ok(())
     }
 
-    /// Takes over a changed scene while it runs, if what has changed can be changed so; `false`: it must be opened anew.
+    /// Takes over a changed scene while it runs, if what has changed can be changed so and takes no time that anybody would feel; `false`: it must be
+    /// made ready beside this one, with [`Stage::changed`].
     ///
     /// # Errors
     /// What is wrong with it; the scene before goes on.
     pub fn adopt(&mut self, scene: &Scene) -> Result<bool, String> {
-        if still(&self.edited) != still(scene) || responses(&self.edited) != responses(scene) {
+        if still(&self.running) != still(scene) || responses(&self.running) != responses(scene) || self.adopted > FELT {
+            self.adopted = 0.0;
             return Ok(false);
         }
+        let begun = Instant::now();
         let backend = self.backend();
         self.step_on(Backend::Cpu)?;
-        let assets = self.source.assets();
-        // Whoever is at a wheel stays there.
-        let mut changed = scene.clone();
-        let now = self.world.scene.interactors.iter().zip(&self.world.state.bodies);
-        for (body, (now, _)) in changed.interactors.iter_mut().zip(now).filter(|(_, (_, state))| state.driven.is_some()) {
-            body.path = now.path.clone();
-        }
-        let kept = match self.world.rescene(changed, &*assets) {
+        let kept = self.world.rescene(with_drivers(&self.world, scene), &*self.source.assets());
+        let kept = match kept {
             Ok(kept) => kept,
             Err(error) => {
                 self.step_on(backend)?;
                 return Err(error.to_string());
             }
         };
-        self.edited = scene.clone();
+        (self.edited, self.running) = (scene.clone(), scene.clone());
         if !kept.stands.iter().chain(&kept.bodies).all(|fate| fate.is_kept()) {
+            self.stale = true;
             return Ok(false);
         }
         self.step_on(backend)?;
+        self.adopted = begun.elapsed().as_secs_f64() * 1e3;
         Ok(true)
     }
 
-    /// Lets time pass, with somebody at the wheel. Returns the steps that were taken.
-    ///
-    /// # Errors
-    /// What the device reports.
-    pub fn pass(&mut self, passing: Passing, drive: Option<&mut Drive>, asked: &Asked) -> Result<u32, String> {
-        let steps = match passing {
+    /// How many steps are due.
+    pub fn due(&mut self, passing: Passing) -> u32 {
+        match passing {
             Passing::Steps(steps) => {
                 self.world.state.pending_seconds = 0.0;
                 steps
             }
             Passing::Seconds(seconds) => self.world.take_steps(seconds),
-        };
-        let mut drive = drive;
-        for _ in 0..steps {
-            if let Some(drive) = &mut drive {
-                drive.go(asked, self.world.model.dt);
-                self.world.drive(drive.body, drive.ground, drive.yaw, drive.clearance);
-            }
-            match &mut self.on_gpu {
-                Some(step) => step.step(&self.gpu, &mut self.world).map_err(|error| error.to_string())?,
-                None => self.world.step(),
+        }
+    }
+
+    /// Takes a step, with bodies where somebody puts them.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn step(&mut self, moves: &[Move], times: &mut Times) -> Result<(), String> {
+        for moved in moves {
+            let world = &mut self.world;
+            if !world.drive(moved.body, moved.ground, moved.yaw, moved.clearance) && world.take_over(moved.body).is_some() {
+                world.drive(moved.body, moved.ground, moved.yaw, moved.clearance);
             }
         }
-        Ok(steps)
+        let mut before = Instant::now();
+        if let Some(step) = &mut self.on_gpu {
+            let asked = times.asks() && times.pictures().is_multiple_of(CLOCK);
+            step.stopwatch = if asked { Stopwatch::new(&self.gpu) } else { None };
+            step.step(&self.gpu, &mut self.world).map_err(|error| error.to_string())?;
+            times.lap("plan and submit", &mut before);
+            return told(&mut step.stopwatch, &self.gpu, times);
+        }
+        let plan = self.world.plan();
+        times.lap("plan", &mut before);
+        let summaries = self.world.respond_in_stages(&plan, &mut |stage| times.lap(timing::name(stage), &mut before));
+        self.world.finish(summaries);
+        times.lap("finish", &mut before);
+        Ok(())
     }
 
     /// Draws what `view` sees, or the scene's own camera.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn draw(&mut self, view: Option<View>, behind: f64, size: [u32; 2]) -> Result<Option<&wgpu::Texture>, String> {
+    pub fn draw(&mut self, view: Option<View>, behind: f64, size: [u32; 2], times: &mut Times) -> Result<Option<&wgpu::Texture>, String> {
         self.world.viewed = view;
-        let cells = self.on_gpu.as_ref().map_or(CellsAt::Cpu, CellsAt::Gpu);
-        self.studio.show(&self.gpu, &self.world, cells, behind, size).map_err(|error| error.to_string())?;
+        if !self.stale {
+            let mut before = Instant::now();
+            let asked = times.asks() && times.pictures().is_multiple_of(CLOCK);
+            *self.studio.stopwatch() = if asked { Stopwatch::new(&self.gpu) } else { None };
+            let cells = self.on_gpu.as_ref().map_or(CellsAt::Cpu, CellsAt::Gpu);
+            self.studio.show(&self.gpu, &self.world, cells, behind, size).map_err(|error| error.to_string())?;
+            times.lap("record picture", &mut before);
+            told(self.studio.stopwatch(), &self.gpu, times)?;
+        }
         Ok(self.studio.shown())
     }
+}
+
+/// What the device's clock said, where it was asked.
+fn told(stopwatch: &mut Option<Stopwatch>, gpu: &Gpu, times: &mut Times) -> Result<(), String> {
+    if let Some(mut stopwatch) = stopwatch.take() {
+        for (stage, milliseconds) in stopwatch.read(gpu).map_err(|error| error.to_string())? {
+            times.add(stage, true, milliseconds);
+        }
+    }
+    Ok(())
+}
+
+/// The same scene, with every body that somebody drives where it is now.
+fn with_drivers(world: &World, scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    let corner = scene.origin.map(|patch| f64::from(patch) * f64::from(scene.field.patch_side));
+    for (body, state) in scene.interactors.iter_mut().zip(&world.state.bodies) {
+        if let Some((ground, yaw, _)) = state.driven {
+            body.path = Path::Driven(Driven { at: [0, 1].map(|axis| ground[axis] + corner[axis]), yaw: yaw as f32 });
+        }
+    }
+    scene
 }
 
 /// A scene without what may change while it runs.

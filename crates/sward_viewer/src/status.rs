@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
+use crate::marks::Marks;
+
 /// A body, as scripts see it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Body {
@@ -37,6 +39,16 @@ pub struct Status {
     pub problem: Option<String>,
     /// Pictures shown.
     pub pictures: u64,
+    /// Whether something is being made ready.
+    pub loading: bool,
+    /// Whether there are two pictures side by side.
+    pub split: bool,
+    /// What overlays say.
+    pub looked: Vec<String>,
+    /// How far plants lean at the probe, rad.
+    pub probe: Option<f64>,
+    /// Where things are in the window.
+    pub marks: Marks,
 }
 
 /// Where lines go.

@@ -3,13 +3,14 @@
 use eframe::egui;
 
 /// Every key.
-const KEYS: [(&str, &str); 15] = [
+const KEYS: [(&str, &str); 20] = [
     ("W A S D, arrows", "drive; with the flying camera and nobody at a wheel: fly"),
     ("Space", "hand brake; with a helicopter and the flying camera: up"),
     ("Shift", "down; flying faster"),
     ("E", "take the wheel of the body chosen, or leave it"),
     ("Tab", "choose the next body"),
     ("C", "next camera: the scene's, orbit, fly, follow"),
+    ("drag a body", "take it in your hand"),
     ("drag", "turn the camera"),
     ("drag with the right button", "move it"),
     ("wheel", "come nearer"),
@@ -17,6 +18,10 @@ const KEYS: [(&str, &str); 15] = [
     (". (full stop)", "one step"),
     (", (comma)", "slow motion"),
     ("R", "begin again"),
+    ("M", "milliseconds of each stage"),
+    ("T, then click", "watch how the plants of a place lean"),
+    ("Ctrl Z", "take the last change back"),
+    ("Ctrl +, Ctrl -", "larger, smaller letters"),
     ("O", "open a scene"),
     ("F1", "this list"),
 ];

@@ -4,7 +4,9 @@ use eframe::egui;
 
 use crate::camera::Kind;
 use crate::clock::Clock;
+use crate::compare::RESPONSES;
 use crate::drive::Drive;
+use crate::marks::mark;
 use crate::stage::Backend;
 
 /// What a panel asked for.
@@ -20,6 +22,10 @@ pub enum Wish {
     Wheel,
     /// Step elsewhere.
     Step(Backend),
+    /// Take the last change back.
+    Undo,
+    /// Split the window, with this response in the other half; or no longer.
+    Compare(Option<usize>),
 }
 
 /// How time passes.
@@ -96,4 +102,23 @@ pub fn machine(ui: &mut egui::Ui, backend: Backend, fineness: &mut f32, adapter:
     });
     ui.add(egui::Slider::new(fineness, 0.2..=1.0).text("pixels").max_decimals(2)).on_hover_text("Pixels drawn for each of the window's");
     ui.weak(adapter);
+}
+
+/// Which response the other half of the window shows.
+pub fn compare(ui: &mut egui::Ui, response: Option<usize>, wishes: &mut Vec<Wish>) {
+    ui.horizontal_wrapped(|ui| {
+        let one = ui.selectable_label(response.is_none(), "one picture").on_hover_text("No other half");
+        mark(ui, "compare off", one.rect);
+        if one.clicked() && response.is_some() {
+            wishes.push(Wish::Compare(None));
+        }
+        for (index, (name, _)) in RESPONSES.iter().enumerate() {
+            let about = "The same field, the same moment, the same hands at the wheel, with this response in the other half";
+            let button = ui.selectable_label(response == Some(index), *name).on_hover_text(about);
+            mark(ui, &format!("compare {name}"), button.rect);
+            if button.clicked() {
+                wishes.push(Wish::Compare(Some(index)));
+            }
+        }
+    });
 }

@@ -3,20 +3,34 @@
 use eframe::egui;
 
 use super::Viewer;
-use crate::loading::Loading;
+use crate::loading::{Loading, What};
 use crate::panels::parameters;
 
 impl Viewer {
-    /// Changes the scene: at once where that can be, else beside the one that runs.
+    /// Changes the scene: at once where that can be, else beside the one that runs, which waits for it.
     pub(super) fn change(&mut self, context: &egui::Context, scene: sward::scene::Scene) {
         let Some(stage) = &mut self.stage else { return };
+        if self.loading.as_ref().is_some_and(|loading| loading.changed) {
+            stage.edited = scene.clone();
+            self.queued = Some(scene);
+            return;
+        }
         match stage.adopt(&scene) {
-            Ok(true) => self.problem = None,
+            Ok(true) => {
+                self.problem = None;
+                self.follow_beside(context);
+            }
             Ok(false) => {
                 let (wake, source) = (context.clone(), stage.source.clone());
                 // What the panel shows is what was asked for; the world follows when it is ready.
                 stage.edited = scene.clone();
-                self.loading = Some(Loading::begin(&self.gpu, source, Some(scene), self.backend, move || wake.request_repaint()));
+                match stage.copied() {
+                    Ok(world) => {
+                        let what = What::Changed(Box::new((scene, world)));
+                        self.loading = Some(Loading::begin(&self.gpu, source, what, self.backend, move || wake.request_repaint()));
+                    }
+                    Err(problem) => self.problem = Some(problem),
+                }
             }
             Err(problem) => self.problem = Some(problem),
         }

@@ -1,11 +1,14 @@
 //! Keys and mouse.
 
 use eframe::egui;
+use sward::terrain::Terrain;
 
 use super::Viewer;
 use crate::camera::Kind;
 use crate::drive::Asked;
+use crate::hand::{Hand, below};
 use crate::panels::tools::Wish;
+use crate::sight::Sight;
 
 impl Viewer {
     /// Keys that do one thing once.
@@ -36,6 +39,15 @@ impl Viewer {
         if pressed(egui::Key::E) {
             wishes.push(Wish::Wheel);
         }
+        if pressed(egui::Key::M) {
+            self.curves[0] = !self.curves[0];
+        }
+        if pressed(egui::Key::T) {
+            self.curves[1] = !self.curves[1];
+        }
+        if context.input(|input| input.modifiers.command && input.key_pressed(egui::Key::Z)) {
+            wishes.push(Wish::Undo);
+        }
         if pressed(egui::Key::O) {
             self.ask_for_file();
         }
@@ -46,7 +58,7 @@ impl Viewer {
     }
 
     /// What held keys ask for.
-    pub(super) fn asked(context: &egui::Context) -> Asked {
+    pub(super) fn asked(&self, context: &egui::Context) -> Asked {
         if context.egui_wants_keyboard_input() {
             return Asked::default();
         }
@@ -61,11 +73,15 @@ impl Viewer {
         })
     }
 
-    /// The mouse over the picture turns, moves and zooms the camera; one that is the scene's becomes one that circles.
-    pub(super) fn mouse(&mut self, response: &egui::Response, rows: f32) {
-        let moved = response.drag_delta();
+    /// The mouse over the picture drags a body, or turns, moves and zooms the camera; one that is the scene's becomes one that circles. A click puts the
+    /// probe.
+    pub(super) fn mouse(&mut self, response: &egui::Response, half: egui::Rect) {
         let wheel = if response.hovered() { response.ctx.input(|input| input.smooth_scroll_delta.y) } else { 0.0 };
         let pinch = if response.hovered() { response.ctx.input(egui::InputState::zoom_delta) } else { 1.0 };
+        if self.took(response, half) {
+            return;
+        }
+        let moved = response.drag_delta();
         if moved == egui::Vec2::ZERO && wheel == 0.0 && pinch == 1.0 {
             return;
         }
@@ -77,11 +93,44 @@ impl Viewer {
         if response.dragged_by(egui::PointerButton::Primary) {
             self.camera.turn(0.005 * x, -0.005 * y);
         } else {
-            let metres = self.camera.metres(rows);
+            let metres = self.camera.metres(half.height());
             self.camera.slide(-x * metres, y * metres, 0.0);
         }
         if wheel != 0.0 || pinch != 1.0 {
             self.camera.zoom(f64::from(pinch) * (0.003 * f64::from(wheel)).exp());
         }
+    }
+
+    /// Whether the mouse has a body in its hand; where it clicks, the probe goes.
+    fn took(&mut self, response: &egui::Response, half: egui::Rect) -> bool {
+        let Some(stage) = &mut self.stage else { return false };
+        let sight = Sight::new(&stage.world.camera(), half);
+        // In the other half the same places are as far to the right.
+        let into = |at: egui::Pos2| if at.x > half.right() { at - egui::vec2(half.width() + 2.0, 0.0) } else { at };
+        let ground = |at: egui::Pos2, terrain: &Terrain| sight.ground(terrain, into(at));
+        if response.clicked()
+            && self.curves[1]
+            && let Some(at) = response.interact_pointer_pos().and_then(|at| ground(at, &stage.world.model.terrain))
+        {
+            self.probe.put(at);
+        }
+        if response.drag_started_by(egui::PointerButton::Primary)
+            && let Some(press) = response.ctx.input(|input| input.pointer.press_origin())
+            && let Some(body) = below(&stage.world, &sight, into(press))
+            && self.drive.is_none_or(|drive| drive.body != body)
+            && let Some(at) = ground(press, &stage.world.model.terrain)
+        {
+            (self.hand, self.chosen) = (Hand::take(&mut stage.world, body, at), Some(body));
+        }
+        let Some(hand) = &mut self.hand else { return false };
+        if !response.dragged_by(egui::PointerButton::Primary) {
+            // It is put down where the mouse was let go.
+            self.hand = None;
+            return false;
+        }
+        if let Some(at) = response.interact_pointer_pos().and_then(|at| ground(at, &stage.world.model.terrain)) {
+            hand.point(at);
+        }
+        true
     }
 }

@@ -1,5 +1,6 @@
 //! The window: reads keys and mouse, lets time pass, draws, and lays out what lies around the picture.
 
+mod beside;
 mod editing;
 mod input;
 mod opening;
@@ -17,11 +18,17 @@ use web_time::Instant;
 use crate::camera::Camera;
 use crate::clock::Clock;
 use crate::drive::Drive;
+use crate::hand::Hand;
 use crate::loading::Loading;
+use crate::marks;
+use crate::overlay::Overlays;
 use crate::panels::help;
+use crate::probe::Probe;
 use crate::source::Source;
 use crate::stage::{Backend, Stage};
 use crate::status::Log;
+use crate::timing::Times;
+use beside::Beside;
 
 /// How a window begins.
 #[derive(Debug, Default)]
@@ -43,21 +50,34 @@ pub struct Settings {
 /// Seconds between two looks at a scene's file.
 const LOOK: f32 = 0.4;
 
+/// A picture that egui knows.
+type Hung = Option<(wgpu::Texture, egui::TextureId)>;
+
 /// The window's contents.
 pub struct Viewer {
     gpu: Arc<Gpu>,
     device: egui_wgpu::RenderState,
     stage: Option<Stage>,
+    /// The same field with another response, in the other half of the window.
+    beside: Beside,
     loading: Option<Loading>,
+    /// A change that waits until the one before it is there.
+    queued: Option<sward::scene::Scene>,
     /// What is wrong with the last scene that was asked for, or with the device.
     problem: Option<String>,
     /// Scenes before each change, the last one last.
     history: Vec<sward::scene::Scene>,
-    texture: Option<(wgpu::Texture, egui::TextureId)>,
+    hung: [Hung; 2],
     camera: Camera,
     clock: Clock,
     chosen: Option<usize>,
     drive: Option<Drive>,
+    hand: Option<Hand>,
+    overlays: Overlays,
+    probe: Probe,
+    times: Times,
+    /// Whether curves are shown: milliseconds, the probe.
+    curves: [bool; 2],
     backend: Backend,
     fineness: f32,
     help: bool,
@@ -87,18 +107,28 @@ impl Viewer {
             context.egui_ctx.send_viewport_cmd(egui::ViewportCommand::InnerSize(size.into()));
         }
         let now = Instant::now();
+        if settings.status.is_some() {
+            marks::begin(&context.egui_ctx);
+        }
         let mut viewer = Self {
             gpu,
             device,
             stage: None,
+            beside: Beside::default(),
             loading: None,
+            queued: None,
             problem: None,
             history: Vec::new(),
-            texture: None,
+            hung: [None, None],
             camera: Camera::default(),
             clock: Clock { fixed: settings.steps, ..Clock::default() },
             chosen: None,
             drive: None,
+            hand: None,
+            overlays: Overlays::default(),
+            probe: Probe::default(),
+            times: Times::default(),
+            curves: [false; 2],
             backend: settings.backend,
             fineness: settings.fineness.unwrap_or(usual).clamp(0.2, 1.0),
             help: false,
@@ -122,53 +152,26 @@ impl Viewer {
 impl eframe::App for Viewer {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
-        self.arrive();
+        let begun = Instant::now();
+        self.arrive(&context);
         self.reload(&context);
         self.receive(&context);
         let mut wishes = Vec::new();
         self.keys(&context, &mut wishes);
         egui::Panel::left("tools").resizable(true).default_size(290.0).show(ui, |ui| self.side(ui, &mut wishes));
         egui::Panel::right("parameters").resizable(true).default_size(330.0).show(ui, |ui| self.parameters(ui));
-        if let Some(problem) = self.problem.clone() {
-            egui::Panel::bottom("problem").show(ui, |ui| {
-                ui.horizontal(|ui| {
-                    if ui.button("×").on_hover_text("I have seen it").clicked() {
-                        self.problem = None;
-                    }
-                    let words = egui::RichText::new(problem).monospace().color(egui::Color32::from_rgb(255, 140, 110));
-                    ui.add(egui::Label::new(words).wrap());
-                });
-            });
-        }
-        egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
-            let room = ui.available_size();
-            let pixels = room * ui.ctx().pixels_per_point() * self.fineness;
-            let size = [pixels.x, pixels.y].map(|side| side.round().max(16.0) as u32);
-            self.advance(&context, size);
-            let (area, response) = ui.allocate_exact_size(room, egui::Sense::click_and_drag());
-            if let Some((_, id)) = &self.texture {
-                let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
-                ui.painter().image(*id, area, whole, egui::Color32::WHITE);
-            }
-            if let Some(loading) = &self.loading {
-                let words = format!("opening {} …", loading.source.name());
-                ui.painter().text(
-                    area.center_bottom() - egui::vec2(0.0, 24.0),
-                    egui::Align2::CENTER_BOTTOM,
-                    words,
-                    egui::FontId::proportional(18.0),
-                    egui::Color32::WHITE,
-                );
-            }
-            self.mouse(&response, room.y);
-        });
+        self.said(ui);
+        self.plots(ui);
+        egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| self.pictures(ui));
         help::show(&context, &mut self.help);
         for wish in wishes {
             self.grant(&context, wish);
         }
+        self.longest = begun.elapsed().as_secs_f64() * 1e3;
         self.pictures += 1;
+        self.times.end();
         if let Some(log) = &self.status
-            && let Err(error) = log.write(&self.told())
+            && let Err(error) = log.write(&self.told(marks::taken(&context)))
         {
             log::warn!("the status file cannot be written: {error}");
             self.status = None;

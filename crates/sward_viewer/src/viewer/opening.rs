@@ -5,7 +5,8 @@ use web_time::Instant;
 
 use super::{LOOK, Viewer};
 use crate::camera::Camera;
-use crate::loading::Loading;
+use crate::loading::{Loading, What};
+use crate::probe::Probe;
 use crate::source::Source;
 
 impl Viewer {
@@ -13,29 +14,43 @@ impl Viewer {
     pub(super) fn open(&mut self, context: &egui::Context, source: Source) {
         self.written = source.written();
         let wake = context.clone();
-        self.loading = Some(Loading::begin(&self.gpu, source, None, self.backend, move || wake.request_repaint()));
+        self.loading = Some(Loading::begin(&self.gpu, source, What::Source, self.backend, move || wake.request_repaint()));
         self.history.clear();
+        self.queued = None;
     }
 
-    /// Takes over what was opened meanwhile.
-    pub(super) fn arrive(&mut self) {
+    /// Takes over what was made ready meanwhile.
+    pub(super) fn arrive(&mut self, context: &egui::Context) {
+        self.arrive_beside();
         let Some(answer) = self.loading.as_ref().and_then(Loading::poll) else { return };
         let changed = self.loading.take().is_some_and(|loading| loading.changed);
         match answer {
             Ok(mut stage) => {
+                self.problem = None;
                 if let Some(before) = self.stage.as_ref().filter(|_| changed) {
                     stage.opened = before.opened.clone();
-                }
-                let same = self.stage.as_ref().is_some_and(|before| before.source.name() == stage.source.name());
-                self.problem = None;
-                self.drive = None;
-                if !same {
-                    self.camera = Camera::default();
-                    self.chosen = (!stage.world.scene.interactors.is_empty()).then_some(0);
+                } else {
+                    let same = self.stage.as_ref().is_some_and(|before| before.source.name() == stage.source.name());
+                    (self.drive, self.hand) = (None, None);
+                    if !same {
+                        self.camera = Camera::default();
+                        self.chosen = (!stage.world.scene.interactors.is_empty()).then_some(0);
+                        self.probe = Probe::default();
+                    }
                 }
                 self.stage = Some(stage);
+                match self.queued.take() {
+                    Some(scene) => self.change(context, scene),
+                    None => self.follow_beside(context),
+                }
             }
-            Err(problem) => self.problem = Some(problem),
+            Err(problem) => {
+                // What the panel shows is what runs.
+                if let Some(stage) = self.stage.as_mut().filter(|_| changed) {
+                    stage.refused();
+                }
+                (self.problem, self.queued) = (Some(problem), None);
+            }
         }
     }
 

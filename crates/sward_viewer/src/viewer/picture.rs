@@ -5,43 +5,169 @@ use web_time::Instant;
 
 use super::Viewer;
 use crate::camera::Kind;
+use crate::clock::Passing;
+use crate::compare::names;
+use crate::overlay::Closely;
+use crate::sight::Sight;
+use crate::stage::Move;
+
+/// Half the side of the place where plants are looked at one by one, m.
+const CLOSELY: f64 = 1.6;
 
 impl Viewer {
+    /// The picture, or two of them side by side.
+    pub(super) fn pictures(&mut self, ui: &mut egui::Ui) {
+        let room = ui.available_size();
+        let (area, response) = ui.allocate_exact_size(room, egui::Sense::click_and_drag());
+        let halves = match self.beside.stage {
+            Some(_) => {
+                let (left, right) = area.split_left_right_at_fraction(0.5);
+                vec![left, right.with_min_x(right.left() + 2.0)]
+            }
+            None => vec![area],
+        };
+        let half = halves[0];
+        self.mouse(&response, half);
+        let pixels = half.size() * ui.ctx().pixels_per_point() * self.fineness;
+        let size = [pixels.x, pixels.y].map(|side| side.round().max(16.0) as u32);
+        self.advance(ui.ctx(), size);
+        let painter = ui.painter_at(area);
+        painter.rect_filled(area, 0.0, egui::Color32::from_gray(14));
+        for (half, hung) in halves.iter().zip(&self.hung) {
+            if let Some((_, id)) = hung {
+                let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+                painter.image(*id, *half, whole, egui::Color32::WHITE);
+            }
+        }
+        self.inside(ui, &halves);
+        let small = egui::FontId::proportional(14.0);
+        if let (Some(first), Some(second)) = (&self.stage, &self.beside.stage) {
+            for (stage, half) in [first, second].into_iter().zip(&halves) {
+                let at = half.center_top() + egui::vec2(0.0, 10.0);
+                label(&painter, at, egui::Align2::CENTER_TOP, &names(&stage.edited), small.clone());
+            }
+        }
+        let waits = self.loading.iter().chain(&self.beside.loading).next();
+        if let Some(loading) = waits {
+            let verb = if loading.changed { "changing" } else { "opening" };
+            let at = area.center_bottom() - egui::vec2(0.0, 20.0);
+            let words = format!("{verb} {} …", loading.source.name());
+            label(&painter, at, egui::Align2::CENTER_BOTTOM, &words, egui::FontId::proportional(17.0));
+        }
+    }
+
+    /// Looks inside, over the pictures.
+    fn inside(&mut self, ui: &egui::Ui, halves: &[egui::Rect]) {
+        let middle = self.closely(ui, halves[0]);
+        if let Some(stage) = &self.stage {
+            self.probe.take(&stage.world);
+        }
+        let stages = self.stage.iter_mut().chain(&mut self.beside.stage);
+        for (stage, half) in stages.zip(halves) {
+            let sight = Sight::new(&stage.world.camera(), *half);
+            let painter = ui.painter_at(*half);
+            if self.overlays.any() {
+                if let Err(problem) = stage.bring() {
+                    self.problem = Some(problem);
+                }
+                self.overlays.draw(&painter, &sight, &stage.world, Closely { at: middle, radius: CLOSELY });
+            }
+            if let Some([x, z]) = self.probe.at.filter(|_| self.curves[1]) {
+                let ground = stage.world.model.terrain.height_at(x, z);
+                if let Some(line) = sight.line([x, ground, z], [x, ground + 0.8, z]) {
+                    painter.line_segment(line, egui::Stroke::new(2.0, egui::Color32::WHITE));
+                    painter.circle_filled(line[1], 4.0, egui::Color32::WHITE);
+                }
+            }
+        }
+    }
+
+    /// Where plants are looked at one by one: below the mouse, else around the body chosen, else where the camera looks.
+    fn closely(&self, ui: &egui::Ui, half: egui::Rect) -> [f64; 2] {
+        let Some(stage) = &self.stage else { return [0.0; 2] };
+        let view = stage.world.camera();
+        let body = self.drive.map(|drive| drive.body).or(self.hand.map(|hand| hand.body)).or(self.chosen);
+        let pose = body.and_then(|body| stage.world.pose_before(body, 0.0));
+        let mouse = ui.ctx().pointer_latest_pos().filter(|at| half.contains(*at));
+        let below = mouse.and_then(|at| Sight::new(&view, half).ground(&stage.world.model.terrain, at));
+        below.or(pose.map(|pose| pose.ground)).unwrap_or([view.target[0], view.target[2]])
+    }
+
     /// Lets time pass and draws.
-    pub(super) fn advance(&mut self, context: &egui::Context, size: [u32; 2]) {
+    fn advance(&mut self, context: &egui::Context, size: [u32; 2]) {
         let seconds = self.before.elapsed().as_secs_f64();
         self.before = Instant::now();
+        let asked = self.asked(context);
+        let waits = self.loading.iter().chain(&self.beside.loading).any(|loading| loading.changed);
+        let passing = self.clock.pass(seconds);
         let Some(stage) = &mut self.stage else { return };
-        let asked = Self::asked(context);
         if self.drive.is_none() && self.camera.kind == Kind::Fly {
-            let way = 6.0 * seconds;
+            let way = if context.input(|input| input.modifiers.shift) { 24.0 } else { 6.0 } * seconds;
             self.camera.slide(asked.right * way, asked.up * way, asked.ahead * way);
         }
-        let passed = stage.pass(self.clock.pass(seconds), self.drive.as_mut(), &asked);
+        // What is being made ready goes on from where this is now.
+        let steps = stage.due(if waits { Passing::Steps(0) } else { passing });
+        for _ in 0..steps {
+            let dt = stage.world.model.dt;
+            let mut moves = Vec::new();
+            if let Some(drive) = &mut self.drive {
+                drive.go(&asked, dt);
+                moves.push(Move { body: drive.body, ground: drive.ground, yaw: drive.yaw, clearance: drive.clearance });
+            }
+            if let Some(hand) = &mut self.hand {
+                hand.go(dt);
+                moves.push(Move { body: hand.body, ground: hand.ground, yaw: hand.yaw, clearance: hand.clearance });
+            }
+            let both = [Some(&mut *stage), self.beside.stage.as_mut()];
+            for stage in both.into_iter().flatten() {
+                if let Err(problem) = stage.step(&moves, &mut self.times) {
+                    self.problem = Some(problem);
+                }
+            }
+        }
         let behind = if self.clock.fixed.is_some() || self.clock.paused { 0.0 } else { stage.world.behind() };
         let followed = self.drive.map(|drive| drive.body).or(self.chosen);
         let view = self.camera.view(&stage.world, followed, seconds);
-        let drawn = passed.and_then(|_| stage.draw(view, behind, size).map(|texture| texture.cloned()));
-        self.longest = self.before.elapsed().as_secs_f64() * 1e3;
+        let own = stage.world.viewed;
+        let drawn = stage.draw(view, behind, size, &mut self.times).map(|texture| texture.cloned());
+        // The other half sees what this one sees, and has no keys of its own.
+        let seen = view.or(own).unwrap_or_else(|| stage.world.camera_before(behind));
+        self.show(0, drawn);
+        if let Some(beside) = &mut self.beside.stage {
+            let drawn = beside.draw(Some(seen), behind, size, &mut self.times).map(|texture| texture.cloned());
+            self.show(1, drawn);
+        }
+    }
+
+    /// Hangs what was drawn, or says why it was not.
+    fn show(&mut self, half: usize, drawn: Result<Option<wgpu::Texture>, String>) {
         match drawn {
-            Ok(Some(texture)) => self.hang(texture),
+            Ok(Some(texture)) => self.hang(half, texture),
             Ok(None) => {}
             Err(problem) => self.problem = Some(problem),
         }
     }
 
-    /// Tells egui of the picture's texture, when it is another one.
-    pub(super) fn hang(&mut self, texture: wgpu::Texture) {
-        if self.texture.as_ref().is_some_and(|(known, _)| *known == texture) {
+    /// Tells egui of a picture's texture, when it is another one.
+    fn hang(&mut self, half: usize, texture: wgpu::Texture) {
+        if self.hung[half].as_ref().is_some_and(|(known, _)| *known == texture) {
             return;
         }
         let mut renderer = self.device.renderer.write();
-        if let Some((_, id)) = self.texture.take() {
+        if let Some((_, id)) = self.hung[half].take() {
             renderer.free_texture(&id);
         }
         let view = texture.create_view(&Default::default());
         let id = renderer.register_native_texture(&self.device.device, &view, wgpu::FilterMode::Linear);
         drop(renderer);
-        self.texture = Some((texture, id));
+        self.hung[half] = Some((texture, id));
     }
+}
+
+/// Words on a picture.
+fn label(painter: &egui::Painter, at: egui::Pos2, align: egui::Align2, words: &str, font: egui::FontId) {
+    let galley = painter.layout_no_wrap(words.to_owned(), font, egui::Color32::WHITE);
+    let room = align.anchor_size(at, galley.size());
+    painter.rect_filled(room.expand2(egui::vec2(8.0, 4.0)), 4.0, egui::Color32::from_black_alpha(150));
+    painter.galley(room.min, galley, egui::Color32::WHITE);
 }

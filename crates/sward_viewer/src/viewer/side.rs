@@ -3,8 +3,9 @@
 use eframe::egui;
 
 use super::Viewer;
-use crate::panels::scenes;
+use crate::marks::mark;
 use crate::panels::tools::{self, Wish};
+use crate::panels::{look, plots, scenes};
 use crate::stage::Stage;
 
 impl Viewer {
@@ -36,6 +37,13 @@ impl Viewer {
             let names: Vec<String> = self.names();
             tools::wheel(ui, &names, self.chosen, self.drive.as_ref(), wishes);
             ui.separator();
+            ui.strong("look inside");
+            let [times, probe] = &mut self.curves;
+            look::show(ui, &mut self.overlays, [times, probe]);
+            ui.separator();
+            ui.strong("compare");
+            tools::compare(ui, self.beside.response, wishes);
+            ui.separator();
             let backend = self.stage.as_ref().map_or(self.backend, Stage::backend);
             tools::machine(ui, backend, &mut self.fineness, &self.gpu.adapter_info.name, wishes);
         });
@@ -44,5 +52,46 @@ impl Viewer {
     pub(super) fn names(&self) -> Vec<String> {
         let bodies = self.stage.iter().flat_map(|stage| stage.world.scene.interactors.iter().enumerate());
         bodies.map(|(index, body)| if body.name.is_empty() { format!("body {}", index + 1) } else { body.name.clone() }).collect()
+    }
+
+    /// What is wrong, below the picture.
+    pub(super) fn said(&mut self, ui: &mut egui::Ui) {
+        let Some(problem) = self.problem.clone() else { return };
+        egui::Panel::bottom("problem").show(ui, |ui| {
+            ui.horizontal(|ui| {
+                let seen = ui.button("×").on_hover_text("I have seen it");
+                mark(ui, "problem", seen.rect);
+                if seen.clicked() {
+                    self.problem = None;
+                }
+                let words = egui::RichText::new(problem).monospace().color(egui::Color32::from_rgb(255, 140, 110));
+                ui.add(egui::Label::new(words).wrap());
+            });
+        });
+    }
+
+    /// Curves, below the picture.
+    pub(super) fn plots(&mut self, ui: &mut egui::Ui) {
+        self.times.with_device = self.curves[0];
+        let shown = self.curves.iter().filter(|shown| **shown).count();
+        if shown == 0 {
+            return;
+        }
+        let world = self.stage.as_ref().map(|stage| &stage.world);
+        egui::Panel::bottom("curves").resizable(true).default_size(190.0).min_size(110.0).show(ui, |ui| {
+            ui.columns(shown, |columns| {
+                let mut columns = columns.iter_mut();
+                if self.curves[0]
+                    && let Some(ui) = columns.next()
+                {
+                    plots::times(ui, &self.times);
+                }
+                if self.curves[1]
+                    && let Some(ui) = columns.next()
+                {
+                    plots::probe(ui, &mut self.probe, world);
+                }
+            });
+        });
     }
 }

@@ -1,11 +1,12 @@
 //! What scripts are told.
 
 use super::Viewer;
+use crate::marks::Marks;
 use crate::status::{Body, Status};
 
 impl Viewer {
     /// What scripts are told.
-    pub(super) fn told(&self) -> Status {
+    pub(super) fn told(&self, marks: Marks) -> Status {
         let world = self.stage.as_ref().map(|stage| &stage.world);
         let bend = |at: [f64; 2]| world.and_then(|world| (0..world.model.stands.len()).find_map(|stand| world.bend_at(stand, at)));
         let at = |body: usize| world.and_then(|world| world.pose_before(body, 0.0)).map(|pose| pose.ground);
@@ -20,6 +21,11 @@ impl Viewer {
             longest: self.longest,
             problem: self.problem.clone(),
             pictures: self.pictures,
+            loading: self.loading.is_some() || self.beside.loading.is_some(),
+            split: self.beside.stage.is_some(),
+            looked: self.overlays.said.iter().map(|(kind, said)| format!("{kind:?}: {said}")).collect(),
+            probe: self.probe.lean(),
+            marks,
         }
     }
 }

@@ -28,9 +28,15 @@ impl Viewer {
             Wish::Wheel => self.drive = if self.drive.is_some() { None } else { self.take_wheel() },
             Wish::Step(backend) => {
                 self.backend = backend;
-                let answer = self.stage.as_mut().map_or(Ok(()), |stage| stage.step_on(backend));
-                self.problem = answer.err();
+                let both = self.stage.iter_mut().chain(&mut self.beside.stage);
+                self.problem = both.map(|stage| stage.step_on(backend)).find_map(Result::err);
             }
+            Wish::Undo => {
+                if let Some(scene) = self.history.pop() {
+                    self.change(context, scene);
+                }
+            }
+            Wish::Compare(response) => self.compare(context, response),
         }
     }
 

@@ -1,0 +1,50 @@
+//! Two responses side by side: the same field, the same moment, the same hands at the wheel.
+
+use eframe::egui;
+
+use super::Viewer;
+use crate::compare::with_response;
+use crate::loading::{Loading, What};
+use crate::stage::Stage;
+
+/// The other half of the window.
+#[derive(Default)]
+pub(super) struct Beside {
+    /// Number of its response, where there is another half.
+    pub(super) response: Option<usize>,
+    pub(super) stage: Option<Stage>,
+    pub(super) loading: Option<Loading>,
+}
+
+impl Viewer {
+    /// Splits the window, or fills it with one picture again.
+    pub(super) fn compare(&mut self, context: &egui::Context, response: Option<usize>) {
+        self.beside = Beside { response, ..Beside::default() };
+        self.follow_beside(context);
+    }
+
+    /// Makes the other half ready from where the first is now.
+    pub(super) fn follow_beside(&mut self, context: &egui::Context) {
+        let (Some(stage), Some(response)) = (&mut self.stage, self.beside.response) else { return };
+        self.beside.stage = None;
+        let scene = with_response(&stage.edited, response);
+        match stage.copied() {
+            Ok(world) => {
+                let (wake, source) = (context.clone(), stage.source.clone());
+                let what = What::Changed(Box::new((scene, world)));
+                self.beside.loading = Some(Loading::begin(&self.gpu, source, what, self.backend, move || wake.request_repaint()));
+            }
+            Err(problem) => (self.problem, self.beside.response) = (Some(problem), None),
+        }
+    }
+
+    /// Takes the other half over when it is ready.
+    pub(super) fn arrive_beside(&mut self) {
+        let Some(answer) = self.beside.loading.as_ref().and_then(Loading::poll) else { return };
+        self.beside.loading = None;
+        match answer {
+            Ok(stage) => self.beside.stage = Some(stage),
+            Err(problem) => (self.problem, self.beside.response) = (Some(problem), None),
+        }
+    }
+}
