@@ -13,8 +13,13 @@ pub mod hand;
 pub mod loading;
 pub mod marks;
 pub mod overlay;
+pub mod painting;
 pub mod panels;
+pub mod presets;
 pub mod probe;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod recording;
+pub mod remembered;
 pub mod sight;
 pub mod source;
 pub mod stage;

@@ -8,7 +8,7 @@ use sward::world::World;
 use sward_wgpu::gpu::Gpu;
 
 use crate::source::Source;
-use crate::stage::{Backend, Stage};
+use crate::stage::{Backend, From, Stage};
 
 /// What is to be made ready.
 pub enum What {
@@ -29,13 +29,13 @@ pub struct Loading {
 
 impl Loading {
     /// Begins to open a scene. `done` is called at the end, from elsewhere.
-    pub fn begin(gpu: &Arc<Gpu>, source: Source, what: What, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
+    pub fn begin(gpu: &Arc<Gpu>, from: From, what: What, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
         let (tell, answer) = channel();
         let changed = matches!(what, What::Changed(_));
-        let (gpu, from) = (Arc::clone(gpu), source.clone());
+        let (gpu, source) = (Arc::clone(gpu), from.0.clone());
         elsewhere(move || {
             let opened = match what {
-                What::Source => from.scene().and_then(|scene| Stage::new(&gpu, from, scene, backend)),
+                What::Source => from.0.scene().and_then(|scene| Stage::new(&gpu, from, scene, backend)),
                 What::Changed(from_here) => Stage::changed(&gpu, from, from_here.0, from_here.1, backend),
             };
             // Nobody waits any more if another scene was asked for.

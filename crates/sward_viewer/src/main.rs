@@ -21,6 +21,9 @@ struct Arguments {
     /// Move cells on the graphics device
     #[arg(long)]
     gpu: bool,
+    /// Move cells on the processor; without either, as last time
+    #[arg(long, conflicts_with = "gpu")]
+    cpu: bool,
     /// Pixels drawn for each of the window's, 0.2 to 1
     #[arg(long, value_name = "SHARE")]
     pixels: Option<f32>,
@@ -50,7 +53,7 @@ fn main() -> ExitCode {
         size: arguments.size,
         fineness: arguments.pixels,
         status: arguments.status.map(Log::new),
-        backend: if arguments.gpu { Backend::Gpu } else { Backend::Cpu },
+        backend: arguments.gpu.then_some(Backend::Gpu).or(arguments.cpu.then_some(Backend::Cpu)),
     };
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()

@@ -1,10 +1,26 @@
 //! Where a scene comes from: one that is shipped, or a file of one's own that may change while it is shown.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use sward::model::Assets;
 use sward::scene::{Scene, SceneError};
 use sward_scenes::{Embedded, Near, Shipped};
+
+/// The picture of the wind that is being painted, if there is one.
+pub type Painted = Option<Arc<Vec<u8>>>;
+
+/// Files, and the wind that is being painted.
+struct WithPainted {
+    wind: Arc<Vec<u8>>,
+    others: Box<dyn Assets>,
+}
+
+impl Assets for WithPainted {
+    fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        if path == crate::painting::PATH { Ok(self.wind.to_vec()) } else { self.others.read(path) }
+    }
+}
 
 /// Where a scene comes from.
 #[derive(Clone, Debug)]
@@ -21,6 +37,20 @@ impl Source {
     /// A shipped scene's name, or a file's path.
     pub fn named(name: &str) -> Self {
         sward_scenes::shipped(name).map_or_else(|| Self::File(name.into()), Self::Shipped)
+    }
+
+    /// How it is named the next time; `None` for a text that was dropped.
+    pub fn remembered(&self) -> Option<String> {
+        match self {
+            Self::Shipped(shipped) => Some(shipped.name.to_owned()),
+            Self::File(path) => Some(path.display().to_string()),
+            Self::Text(..) => None,
+        }
+    }
+
+    /// Whether it can still be opened.
+    pub fn is_there(&self) -> bool {
+        if let Self::File(path) = self { path.is_file() } else { true }
     }
 
     /// What a title says.
@@ -70,14 +100,18 @@ impl Source {
         }
     }
 
-    /// The files it names.
-    pub fn assets(&self) -> Box<dyn Assets> {
-        match self {
+    /// The files it names; among them the wind that is being painted.
+    pub fn assets(&self, painted: Painted) -> Box<dyn Assets> {
+        let others: Box<dyn Assets> = match self {
             Self::File(path) => {
                 let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
                 Box::new(Near(folder.to_owned()))
             }
             _ => Box::new(Embedded),
+        };
+        match painted {
+            Some(wind) => Box::new(WithPainted { wind, others }),
+            None => others,
         }
     }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use sward::picture::Picture;
 use sward::scene::{Driven, Path, Scene};
 use sward::view::View;
 use sward::world::World;
@@ -12,7 +13,7 @@ use sward_wgpu::studio::{CellsAt, Studio};
 use web_time::Instant;
 
 use crate::clock::Passing;
-use crate::source::Source;
+use crate::source::{Painted, Source};
 use crate::timing::{self, Times};
 
 /// Where cells move.
@@ -43,10 +44,15 @@ const FELT: f64 = 60.0;
 /// Pictures between two looks at the device's clock.
 const CLOCK: u64 = 6;
 
+/// Where a scene's files come from.
+pub type From = (Source, Painted);
+
 /// A scene that runs.
 pub struct Stage {
     /// Where it comes from.
     pub source: Source,
+    /// The wind that is being painted.
+    pub painted: Painted,
     /// The scene as it was opened.
     pub opened: Scene,
     /// The scene as it is now.
@@ -69,25 +75,36 @@ impl Stage {
     ///
     /// # Errors
     /// What is wrong with the scene, or what the device reports, in plain words.
-    pub fn new(gpu: &Arc<Gpu>, source: Source, scene: Scene, backend: Backend) -> Result<Self, String> {
-        let world = World::new(scene.clone(), &*source.assets()).map_err(|error| source.located(error))?;
-        Self::of(gpu, source, scene, world, backend)
+    pub fn new(gpu: &Arc<Gpu>, (source, painted): From, scene: Scene, backend: Backend) -> Result<Self, String> {
+        let world = World::new(scene.clone(), &*source.assets(painted.clone())).map_err(|error| source.located(error))?;
+        Self::of(gpu, (source, painted), scene, world, backend)
     }
 
     /// A changed scene that goes on from where `world` is; takes as long, and may run anywhere. `scene` is as its author wrote it.
     ///
     /// # Errors
     /// As [`Stage::new`].
-    pub fn changed(gpu: &Arc<Gpu>, source: Source, scene: Scene, mut world: World, backend: Backend) -> Result<Self, String> {
-        world.rescene(with_drivers(&world, &scene), &*source.assets()).map_err(|error| error.to_string())?;
-        Self::of(gpu, source, scene, world, backend)
+    pub fn changed(gpu: &Arc<Gpu>, (source, painted): From, scene: Scene, mut world: World, backend: Backend) -> Result<Self, String> {
+        world.rescene(with_drivers(&world, &scene), &*source.assets(painted.clone())).map_err(|error| error.to_string())?;
+        Self::of(gpu, (source, painted), scene, world, backend)
     }
 
-    fn of(gpu: &Arc<Gpu>, source: Source, scene: Scene, world: World, backend: Backend) -> Result<Self, String> {
+    fn of(gpu: &Arc<Gpu>, (source, painted): From, scene: Scene, world: World, backend: Backend) -> Result<Self, String> {
         let studio = Studio::new(gpu, &world).map_err(|error| error.to_string())?;
         let [opened, edited, running] = [scene.clone(), scene.clone(), scene];
-        let mut stage =
-            Self { source, opened, edited, running, world, studio, on_gpu: None, gpu: Arc::clone(gpu), adopted: 0.0, stale: false };
+        let mut stage = Self {
+            source,
+            painted,
+            opened,
+            edited,
+            running,
+            world,
+            studio,
+            on_gpu: None,
+            gpu: Arc::clone(gpu),
+            adopted: 0.0,
+            stale: false,
+        };
         stage.step_on(backend)?;
         Ok(stage)
     }
@@ -151,7 +168,7 @@ impl Stage {
         let begun = Instant::now();
         let backend = self.backend();
         self.step_on(Backend::Cpu)?;
-        let kept = self.world.rescene(with_drivers(&self.world, scene), &*self.source.assets());
+        let kept = self.world.rescene(with_drivers(&self.world, scene), &*self.source.assets(self.painted.clone()));
         let kept = match kept {
             Ok(kept) => kept,
             Err(error) => {
@@ -223,6 +240,14 @@ impl Stage {
             told(self.studio.stopwatch(), &self.gpu, times)?;
         }
         Ok(self.studio.shown())
+    }
+
+    /// Reads the last picture back; waits for the device.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn picture(&self) -> Result<Picture, String> {
+        self.studio.read(&self.gpu).map_err(|error| error.to_string())
     }
 }
 

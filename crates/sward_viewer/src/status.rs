@@ -37,6 +37,8 @@ pub struct Status {
     pub longest: f64,
     /// What is wrong.
     pub problem: Option<String>,
+    /// What went well.
+    pub notice: Option<String>,
     /// Pictures shown.
     pub pictures: u64,
     /// Whether something is being made ready.

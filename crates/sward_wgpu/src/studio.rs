@@ -140,6 +140,14 @@ impl Studio {
         self.renderer.shown()
     }
 
+    /// Reads back the last picture that [`Studio::show`] drew.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn read(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
+        self.renderer.read(gpu)
+    }
+
     /// Draws the moment `behind` steps (0 to 1) before the state, and beside the picture depth, motion and plant of each pixel.
     ///
     /// Motion leads to the moment of the last call of this function or of [`Studio::remember`]; the first one's is 0. Until the first

@@ -3,7 +3,7 @@
 use eframe::egui;
 
 /// Every key.
-const KEYS: [(&str, &str); 20] = [
+const KEYS: [(&str, &str); 22] = [
     ("W A S D, arrows", "drive; with the flying camera and nobody at a wheel: fly"),
     ("Space", "hand brake; with a helicopter and the flying camera: up"),
     ("Shift", "down; flying faster"),
@@ -22,7 +22,9 @@ const KEYS: [(&str, &str); 20] = [
     ("T, then click", "watch how the plants of a place lean"),
     ("Ctrl Z", "take the last change back"),
     ("Ctrl +, Ctrl -", "larger, smaller letters"),
-    ("O", "open a scene"),
+    ("O, Ctrl S", "open a scene, save it"),
+    ("F9", "record a clip, or end it"),
+    ("drop a file", "open it"),
     ("F1", "this list"),
 ];
 

@@ -22,6 +22,8 @@ pub enum Wish {
     Wheel,
     /// Step elsewhere.
     Step(Backend),
+    /// Begin a clip, or end it.
+    Record,
     /// Take the last change back.
     Undo,
     /// Split the window, with this response in the other half; or no longer.
@@ -31,7 +33,9 @@ pub enum Wish {
 /// How time passes.
 pub fn time(ui: &mut egui::Ui, clock: &mut Clock, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
-        if ui.button(if clock.paused { "▶" } else { "⏸" }).on_hover_text("Pause, or go on (P)").clicked() {
+        let pause = ui.button(if clock.paused { "▶" } else { "⏸" }).on_hover_text("Pause, or go on (P)");
+        mark(ui, "pause", pause.rect);
+        if pause.clicked() {
             clock.paused = !clock.paused;
         }
         if ui.add_enabled(clock.paused, egui::Button::new("⏭")).on_hover_text("One step (full stop)").clicked() {
@@ -39,6 +43,11 @@ pub fn time(ui: &mut egui::Ui, clock: &mut Clock, wishes: &mut Vec<Wish>) {
         }
         if ui.button("⟲").on_hover_text("Begin again (R)").clicked() {
             wishes.push(Wish::Restart);
+        }
+        let record = ui.button("⏺").on_hover_text("Record a clip into the folder the window was opened in, or end it (F9)");
+        mark(ui, "record", record.rect);
+        if record.clicked() {
+            wishes.push(Wish::Record);
         }
         let pace = egui::Slider::new(&mut clock.pace, 0.05..=2.0).logarithmic(true).suffix("×").max_decimals(2);
         ui.add(pace).on_hover_text("Seconds of the scene for each second: slow motion (comma)");

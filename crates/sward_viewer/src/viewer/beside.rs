@@ -30,9 +30,9 @@ impl Viewer {
         let scene = with_response(&stage.edited, response);
         match stage.copied() {
             Ok(world) => {
-                let (wake, source) = (context.clone(), stage.source.clone());
+                let (wake, from) = (context.clone(), (stage.source.clone(), stage.painted.clone()));
                 let what = What::Changed(Box::new((scene, world)));
-                self.beside.loading = Some(Loading::begin(&self.gpu, source, what, self.backend, move || wake.request_repaint()));
+                self.beside.loading = Some(Loading::begin(&self.gpu, from, what, self.backend, move || wake.request_repaint()));
             }
             Err(problem) => (self.problem, self.beside.response) = (Some(problem), None),
         }

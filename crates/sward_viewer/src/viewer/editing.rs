@@ -1,14 +1,17 @@
 //! Changing the scene that runs: every parameter, with its way back.
 
 use eframe::egui;
+use sward::scene::Scene;
 
 use super::Viewer;
+use super::files::Purpose;
 use crate::loading::{Loading, What};
-use crate::panels::parameters;
+use crate::marks::mark;
+use crate::panels::{parameters, presets};
 
 impl Viewer {
     /// Changes the scene: at once where that can be, else beside the one that runs, which waits for it.
-    pub(super) fn change(&mut self, context: &egui::Context, scene: sward::scene::Scene) {
+    pub(super) fn change(&mut self, context: &egui::Context, scene: Scene) {
         let Some(stage) = &mut self.stage else { return };
         if self.loading.as_ref().is_some_and(|loading| loading.changed) {
             stage.edited = scene.clone();
@@ -21,13 +24,13 @@ impl Viewer {
                 self.follow_beside(context);
             }
             Ok(false) => {
-                let (wake, source) = (context.clone(), stage.source.clone());
+                let (wake, from) = (context.clone(), (stage.source.clone(), stage.painted.clone()));
                 // What the panel shows is what was asked for; the world follows when it is ready.
                 stage.edited = scene.clone();
                 match stage.copied() {
                     Ok(world) => {
                         let what = What::Changed(Box::new((scene, world)));
-                        self.loading = Some(Loading::begin(&self.gpu, source, what, self.backend, move || wake.request_repaint()));
+                        self.loading = Some(Loading::begin(&self.gpu, from, what, self.backend, move || wake.request_repaint()));
                     }
                     Err(problem) => self.problem = Some(problem),
                 }
@@ -42,23 +45,9 @@ impl Viewer {
         let (mut scene, opened) = (stage.edited.clone(), stage.opened.clone());
         let before = scene.clone();
         let mut wanted = None;
-        ui.horizontal(|ui| {
-            ui.strong("parameters");
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if ui.small_button("copy as RON").on_hover_text("The whole scene as text, into the clipboard").clicked() {
-                    ui.ctx().copy_text(before.to_ron());
-                }
-                if ui.add_enabled(before != opened, egui::Button::new("reset").small()).on_hover_text("As it was opened").clicked() {
-                    wanted = Some(opened.clone());
-                }
-                if ui.add_enabled(!self.history.is_empty(), egui::Button::new("undo").small()).clicked() {
-                    wanted = self.history.pop();
-                }
-            });
-        });
-        let undone = wanted.is_some();
+        let undone = self.above(ui, &before, &opened, &mut wanted);
         egui::ScrollArea::vertical().id_salt("parameters").auto_shrink([false, false]).show(ui, |ui| {
-            if parameters::show(ui, &mut scene) && !undone {
+            if parameters::show(ui, &mut scene) && wanted.is_none() {
                 wanted = Some(scene);
             }
         });
@@ -70,5 +59,44 @@ impl Viewer {
             }
             self.change(&context, scene);
         }
+    }
+
+    /// Buttons above the parameters; whether what is wanted now is what was.
+    fn above(&mut self, ui: &mut egui::Ui, now: &Scene, opened: &Scene, wanted: &mut Option<Scene>) -> bool {
+        let mut undone = false;
+        ui.horizontal(|ui| {
+            ui.strong("parameters");
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let copy = ui.small_button("copy as RON").on_hover_text("The whole scene as text, into the clipboard");
+                mark(ui, "copy", copy.rect);
+                if copy.clicked() {
+                    ui.ctx().copy_text(now.to_ron());
+                }
+                let save = ui.small_button("save…").on_hover_text("The whole scene as a file (Ctrl S)");
+                mark(ui, "save", save.rect);
+                if save.clicked() {
+                    self.ask_for(Purpose::SaveScene);
+                }
+                let reset = ui.add_enabled(now != opened, egui::Button::new("reset").small()).on_hover_text("As it was opened");
+                mark(ui, "reset", reset.rect);
+                if reset.clicked() {
+                    *wanted = Some(opened.clone());
+                }
+                let undo = ui.add_enabled(!self.history.is_empty(), egui::Button::new("undo").small()).on_hover_text("Ctrl Z");
+                mark(ui, "undo", undo.rect);
+                if undo.clicked() {
+                    *wanted = self.history.pop();
+                    undone = true;
+                }
+            });
+        });
+        ui.horizontal_wrapped(|ui| {
+            if let Some(scene) = presets::show(ui, now, &mut self.presets, &mut self.preset_name) {
+                *wanted = Some(scene);
+            }
+            let paint = ui.toggle_value(&mut self.canvas.open, "paint wind").on_hover_text("Draw the wind of a place with the mouse");
+            mark(ui, "paint wind", paint.rect);
+        });
+        undone
     }
 }

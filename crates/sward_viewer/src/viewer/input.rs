@@ -4,6 +4,7 @@ use eframe::egui;
 use sward::terrain::Terrain;
 
 use super::Viewer;
+use super::files::Purpose;
 use crate::camera::Kind;
 use crate::drive::Asked;
 use crate::hand::{Hand, below};
@@ -48,8 +49,14 @@ impl Viewer {
         if context.input(|input| input.modifiers.command && input.key_pressed(egui::Key::Z)) {
             wishes.push(Wish::Undo);
         }
+        if context.input(|input| input.modifiers.command && input.key_pressed(egui::Key::S)) {
+            self.ask_for(Purpose::SaveScene);
+        }
+        if pressed(egui::Key::F9) {
+            wishes.push(Wish::Record);
+        }
         if pressed(egui::Key::O) {
-            self.ask_for_file();
+            self.ask_for(Purpose::OpenScene);
         }
         let bodies = self.stage.as_ref().map_or(0, |stage| stage.world.scene.interactors.len());
         if pressed(egui::Key::Tab) && bodies > 0 {

@@ -2,9 +2,13 @@
 
 mod beside;
 mod editing;
+mod files;
 mod input;
 mod opening;
+mod painted;
 mod picture;
+#[cfg(not(target_arch = "wasm32"))]
+mod recorded;
 mod side;
 mod told;
 mod wishes;
@@ -23,12 +27,17 @@ use crate::loading::Loading;
 use crate::marks;
 use crate::overlay::Overlays;
 use crate::panels::help;
+use crate::panels::painting::Canvas;
 use crate::probe::Probe;
+#[cfg(not(target_arch = "wasm32"))]
+use crate::recording::Recording;
+use crate::remembered::{KEY, Remembered};
 use crate::source::Source;
 use crate::stage::{Backend, Stage};
 use crate::status::Log;
 use crate::timing::Times;
 use beside::Beside;
+use files::Purpose;
 
 /// How a window begins.
 #[derive(Debug, Default)]
@@ -43,8 +52,8 @@ pub struct Settings {
     pub size: Option<[f32; 2]>,
     /// Where a line goes after every picture.
     pub status: Option<Log>,
-    /// Where cells move.
-    pub backend: Backend,
+    /// Where cells move; `None`: as last time.
+    pub backend: Option<Backend>,
 }
 
 /// Seconds between two looks at a scene's file.
@@ -65,6 +74,12 @@ pub struct Viewer {
     queued: Option<sward::scene::Scene>,
     /// What is wrong with the last scene that was asked for, or with the device.
     problem: Option<String>,
+    /// What went well.
+    notice: Option<String>,
+    /// One's own presets, and the name of the next one.
+    presets: std::collections::BTreeMap<String, String>,
+    preset_name: String,
+    canvas: Canvas,
     /// Scenes before each change, the last one last.
     history: Vec<sward::scene::Scene>,
     hung: [Hung; 2],
@@ -90,6 +105,16 @@ pub struct Viewer {
     status: Option<Log>,
     #[cfg(not(target_arch = "wasm32"))]
     dialog: egui_file_dialog::FileDialog,
+    /// What the dialog's file is for.
+    purpose: Purpose,
+    #[cfg(not(target_arch = "wasm32"))]
+    recording: Option<Recording>,
+    /// Whether a clip begins with the next picture.
+    #[cfg(not(target_arch = "wasm32"))]
+    record_next: bool,
+    /// Pictures that the encoder has no room for yet.
+    #[cfg(not(target_arch = "wasm32"))]
+    waiting: Option<Vec<sward::picture::Picture>>,
 }
 
 impl Viewer {
@@ -106,6 +131,8 @@ impl Viewer {
         if let Some(size) = settings.size {
             context.egui_ctx.send_viewport_cmd(egui::ViewportCommand::InnerSize(size.into()));
         }
+        let remembered: Remembered = context.storage.and_then(|storage| eframe::get_value(storage, KEY)).unwrap_or_default();
+        let usual = remembered.fineness.unwrap_or(usual);
         let now = Instant::now();
         if settings.status.is_some() {
             marks::begin(&context.egui_ctx);
@@ -118,6 +145,10 @@ impl Viewer {
             loading: None,
             queued: None,
             problem: None,
+            notice: None,
+            presets: remembered.presets.clone(),
+            preset_name: String::new(),
+            canvas: Canvas::default(),
             history: Vec::new(),
             hung: [None, None],
             camera: Camera::default(),
@@ -128,8 +159,8 @@ impl Viewer {
             overlays: Overlays::default(),
             probe: Probe::default(),
             times: Times::default(),
-            curves: [false; 2],
-            backend: settings.backend,
+            curves: remembered.curves,
+            backend: settings.backend.unwrap_or(if remembered.on_gpu { Backend::Gpu } else { Backend::Cpu }),
             fineness: settings.fineness.unwrap_or(usual).clamp(0.2, 1.0),
             help: false,
             written: None,
@@ -143,8 +174,17 @@ impl Viewer {
                 .title("Open a scene")
                 .add_file_filter_extensions("scenes", vec!["ron"])
                 .default_file_filter("scenes"),
+            purpose: Purpose::default(),
+            #[cfg(not(target_arch = "wasm32"))]
+            recording: None,
+            #[cfg(not(target_arch = "wasm32"))]
+            record_next: false,
+            #[cfg(not(target_arch = "wasm32"))]
+            waiting: None,
         };
-        viewer.open(&context.egui_ctx, settings.scene.unwrap_or_else(|| Source::named("hello")));
+        let last = remembered.scene.as_deref().map(Source::named).filter(Source::is_there);
+        let first = settings.scene.or(last).unwrap_or_else(|| Source::named("hello"));
+        viewer.open(&context.egui_ctx, first);
         Ok(viewer)
     }
 }
@@ -156,6 +196,8 @@ impl eframe::App for Viewer {
         self.arrive(&context);
         self.reload(&context);
         self.receive(&context);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.chosen_files(&context);
         let mut wishes = Vec::new();
         self.keys(&context, &mut wishes);
         egui::Panel::left("tools").resizable(true).default_size(290.0).show(ui, |ui| self.side(ui, &mut wishes));
@@ -163,6 +205,7 @@ impl eframe::App for Viewer {
         self.said(ui);
         self.plots(ui);
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| self.pictures(ui));
+        self.canvas(&context);
         help::show(&context, &mut self.help);
         for wish in wishes {
             self.grant(&context, wish);
@@ -177,5 +220,16 @@ impl eframe::App for Viewer {
             self.status = None;
         }
         context.request_repaint();
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        let remembered = Remembered {
+            fineness: Some(self.fineness),
+            on_gpu: self.backend == Backend::Gpu,
+            scene: self.stage.as_ref().and_then(|stage| stage.source.remembered()),
+            curves: self.curves,
+            presets: self.presets.clone(),
+        };
+        eframe::set_value(storage, KEY, &remembered);
     }
 }

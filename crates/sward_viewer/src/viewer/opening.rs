@@ -14,7 +14,8 @@ impl Viewer {
     pub(super) fn open(&mut self, context: &egui::Context, source: Source) {
         self.written = source.written();
         let wake = context.clone();
-        self.loading = Some(Loading::begin(&self.gpu, source, What::Source, self.backend, move || wake.request_repaint()));
+        self.loading =
+            Some(Loading::begin(&self.gpu, (source, self.painted()), What::Source, self.backend, move || wake.request_repaint()));
         self.history.clear();
         self.queued = None;
     }
@@ -66,33 +67,15 @@ impl Viewer {
         }
     }
 
-    /// Files that were dropped on the window, or chosen in a dialog.
+    /// Files that were dropped on the window.
     pub(super) fn receive(&mut self, context: &egui::Context) {
         let dropped = context.input(|input| input.raw.dropped_files.first().cloned());
-        if let Some(file) = dropped {
-            let text = file.bytes.as_ref().map(|bytes| String::from_utf8_lossy(bytes).into_owned());
-            match (file.path, text) {
-                (Some(path), _) => self.open(context, Source::File(path)),
-                (None, Some(text)) => self.open(context, Source::Text(file.name, text)),
-                (None, None) => {}
-            }
-        }
-        #[cfg(not(target_arch = "wasm32"))]
-        {
-            self.dialog.update(context);
-            if let Some(path) = self.dialog.take_picked() {
-                self.open(context, Source::File(path));
-            }
-        }
-    }
-
-    /// Opens the dialog of files; in a browser files are dropped on the page.
-    pub(super) fn ask_for_file(&mut self) {
-        #[cfg(not(target_arch = "wasm32"))]
-        self.dialog.pick_file();
-        #[cfg(target_arch = "wasm32")]
-        {
-            self.problem = Some("drop a scene file on the page to open it".to_owned());
+        let Some(file) = dropped else { return };
+        let text = file.bytes.as_ref().map(|bytes| String::from_utf8_lossy(bytes).into_owned());
+        match (file.path, text) {
+            (Some(path), _) => self.open(context, Source::File(path)),
+            (None, Some(text)) => self.open(context, Source::Text(file.name, text)),
+            (None, None) => {}
         }
     }
 }

@@ -31,6 +31,8 @@ impl Viewer {
         let pixels = half.size() * ui.ctx().pixels_per_point() * self.fineness;
         let size = [pixels.x, pixels.y].map(|side| side.round().max(16.0) as u32);
         self.advance(ui.ctx(), size);
+        #[cfg(not(target_arch = "wasm32"))]
+        self.roll();
         let painter = ui.painter_at(area);
         painter.rect_filled(area, 0.0, egui::Color32::from_gray(14));
         for (half, hung) in halves.iter().zip(&self.hung) {
@@ -46,6 +48,11 @@ impl Viewer {
                 let at = half.center_top() + egui::vec2(0.0, 10.0);
                 label(&painter, at, egui::Align2::CENTER_TOP, &names(&stage.edited), small.clone());
             }
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        if let Some(recording) = &self.recording {
+            let words = if recording.runs() { format!("● {} pictures", recording.taken) } else { "writing the clip …".to_owned() };
+            label(&painter, area.left_top() + egui::vec2(18.0, 12.0), egui::Align2::LEFT_TOP, &words, small.clone());
         }
         let waits = self.loading.iter().chain(&self.beside.loading).next();
         if let Some(loading) = waits {
@@ -99,6 +106,9 @@ impl Viewer {
         self.before = Instant::now();
         let asked = self.asked(context);
         let waits = self.loading.iter().chain(&self.beside.loading).any(|loading| loading.changed);
+        #[cfg(not(target_arch = "wasm32"))]
+        let passing = self.paced().map(Passing::Seconds).unwrap_or_else(|| self.clock.pass(seconds));
+        #[cfg(target_arch = "wasm32")]
         let passing = self.clock.pass(seconds);
         let Some(stage) = &mut self.stage else { return };
         if self.drive.is_none() && self.camera.kind == Kind::Fly {

@@ -3,6 +3,7 @@
 use eframe::egui;
 
 use super::Viewer;
+use super::files::Purpose;
 use crate::marks::mark;
 use crate::panels::tools::{self, Wish};
 use crate::panels::{look, plots, scenes};
@@ -19,7 +20,7 @@ impl Viewer {
                         self.help = !self.help;
                     }
                     if ui.button("open…").on_hover_text("A scene file of your own (O); or drop it on the window").clicked() {
-                        self.ask_for_file();
+                        self.ask_for(Purpose::OpenScene);
                     }
                 });
             });
@@ -54,8 +55,18 @@ impl Viewer {
         bodies.map(|(index, body)| if body.name.is_empty() { format!("body {}", index + 1) } else { body.name.clone() }).collect()
     }
 
-    /// What is wrong, below the picture.
+    /// What went well or is wrong, below the picture.
     pub(super) fn said(&mut self, ui: &mut egui::Ui) {
+        if let Some(notice) = self.notice.clone() {
+            egui::Panel::bottom("notice").show(ui, |ui| {
+                ui.horizontal(|ui| {
+                    if ui.button("×").on_hover_text("I have seen it").clicked() {
+                        self.notice = None;
+                    }
+                    ui.add(egui::Label::new(notice).wrap());
+                });
+            });
+        }
         let Some(problem) = self.problem.clone() else { return };
         egui::Panel::bottom("problem").show(ui, |ui| {
             ui.horizontal(|ui| {

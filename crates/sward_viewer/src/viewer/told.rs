@@ -20,6 +20,7 @@ impl Viewer {
             bodies: self.names().into_iter().enumerate().map(body).collect(),
             longest: self.longest,
             problem: self.problem.clone(),
+            notice: self.notice.clone(),
             pictures: self.pictures,
             loading: self.loading.is_some() || self.beside.loading.is_some(),
             split: self.beside.stage.is_some(),
