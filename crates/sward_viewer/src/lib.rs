@@ -24,5 +24,6 @@ pub mod sight;
 pub mod source;
 pub mod stage;
 pub mod status;
+pub mod thumbnails;
 pub mod timing;
 pub mod viewer;

@@ -4,6 +4,8 @@ use eframe::egui;
 use sward::scene::FieldInfo;
 use sward::scene::inspect::{Choice, Group, Inspector, List, NumberKind, Optional};
 
+use crate::marks::mark;
+
 /// Ranges that span more than so many times their least number move by ratios.
 const RATIO: f64 = 300.0;
 /// Fields that are not for sliders: what a scene is called, and how its format is numbered.
@@ -14,11 +16,13 @@ pub struct Sliders<'a> {
     ui: &'a mut egui::Ui,
     /// What an element of a list is called instead of its field.
     name: Option<String>,
+    /// Where it lies in the scene: `wind 1 `.
+    trail: String,
 }
 
 /// Shows a whole scene; the answer is whether something was changed.
 pub fn show(ui: &mut egui::Ui, scene: &mut dyn Group) -> bool {
-    scene.inspect_fields(&mut Sliders { ui, name: None })
+    scene.inspect_fields(&mut Sliders { ui, name: None, trail: String::new() })
 }
 
 impl Sliders<'_> {
@@ -27,7 +31,7 @@ impl Sliders<'_> {
     }
 
     /// A number's slider, or a number to drag where it has no range.
-    fn slide(ui: &mut egui::Ui, info: &FieldInfo, kind: NumberKind, number: &mut f64) -> bool {
+    fn slide(ui: &mut egui::Ui, trail: &str, info: &FieldInfo, kind: NumberKind, number: &mut f64) -> bool {
         let suffix = if info.unit.is_empty() { String::new() } else { format!(" {}", info.unit) };
         let (low, high) = info.range.unwrap_or_else(|| kind.bounds());
         let wide = high - low > 1e5;
@@ -42,13 +46,16 @@ impl Sliders<'_> {
                 egui::Slider::new(number, low..=high).suffix(suffix).logarithmic(ratio).smallest_positive(high / 1e5).max_decimals(4);
             ui.add(if kind.is_whole() { slider.integer() } else { slider })
         };
+        mark(ui, &format!("{trail}{}", info.name), response.rect);
         response.on_hover_text(info.doc).changed()
     }
 
     /// A fold with something inside.
     fn fold(&mut self, info: &FieldInfo, title: &str, inside: impl FnOnce(&mut egui::Ui) -> bool) -> bool {
+        let whole = format!("{}{}", self.trail, info.name);
         let id = self.ui.id().with((info.name, title));
         let fold = egui::CollapsingHeader::new(title).id_salt(id).show(self.ui, inside);
+        mark(self.ui, &whole, fold.header_response.rect);
         fold.header_response.on_hover_text(info.doc);
         fold.body_returned.unwrap_or(false)
     }
@@ -59,9 +66,9 @@ impl Inspector for Sliders<'_> {
         if HIDDEN.contains(&info.name) {
             return false;
         }
-        let label = self.label(info);
+        let (label, trail) = (self.label(info), self.trail.clone());
         let row = self.ui.horizontal(|ui| {
-            let changed = Self::slide(ui, info, kind, number);
+            let changed = Self::slide(ui, &trail, info, kind, number);
             ui.label(label).on_hover_text(info.doc);
             changed
         });
@@ -113,7 +120,7 @@ impl Inspector for Sliders<'_> {
     }
 
     fn list(&mut self, info: &FieldInfo, list: &mut dyn List) -> bool {
-        let title = format!("{} ({})", self.label(info), list.length());
+        let (title, trail) = (format!("{} ({})", self.label(info), list.length()), self.trail.clone());
         self.fold(info, &title, |ui| {
             let (mut changed, mut gone) = (false, None);
             for index in 0..list.length() {
@@ -124,7 +131,8 @@ impl Inspector for Sliders<'_> {
                         }
                         ui.vertical(|ui| {
                             let name = Some(format!("{} {}", info.name.trim_end_matches('s'), index + 1));
-                            changed |= list.inspect_element(index, info, &mut Sliders { ui, name });
+                            let trail = format!("{trail}{} {} ", info.name, index + 1);
+                            changed |= list.inspect_element(index, info, &mut Sliders { ui, name, trail });
                         });
                     });
                 });
@@ -145,49 +153,58 @@ impl Inspector for Sliders<'_> {
         let mut present = optional.is_present();
         let label = self.label(info);
         if !present {
-            let there = self.ui.checkbox(&mut present, egui::RichText::new(label).weak()).on_hover_text(info.doc).changed();
+            let whole = format!("{}{}", self.trail, info.name);
+            let row = self.ui.checkbox(&mut present, egui::RichText::new(label).weak()).on_hover_text(info.doc);
+            mark(self.ui, &whole, row.rect);
+            let there = row.changed();
             if there {
                 optional.set_present(true, info);
             }
             return there;
         }
+        let trail = self.trail.clone();
         let row = self.ui.horizontal_top(|ui| {
             let gone = ui.checkbox(&mut present, "").on_hover_text("Leave it to the species, or out").changed();
             if gone {
                 optional.set_present(false, info);
                 return true;
             }
-            ui.vertical(|ui| optional.inspect_inside(info, &mut Sliders { ui, name: Some(label) })).inner
+            ui.vertical(|ui| optional.inspect_inside(info, &mut Sliders { ui, name: Some(label), trail })).inner
         });
         row.inner
     }
 
     fn group(&mut self, info: &FieldInfo, group: &mut dyn Group) -> bool {
         let title = self.label(info);
-        self.fold(info, &title, |ui| group.inspect_fields(&mut Sliders { ui, name: None }))
+        // An element of a list is named by its place already.
+        let trail = if title.replace(' ', "_") == info.name { format!("{}{} ", self.trail, info.name) } else { self.trail.clone() };
+        self.fold(info, &title, |ui| group.inspect_fields(&mut Sliders { ui, name: None, trail }))
     }
 
     fn choice(&mut self, info: &FieldInfo, choice: &mut dyn Choice) -> bool {
         let label = self.label(info);
-        let id = self.ui.id().with((info.name, &label, "choice"));
+        let (id, trail) = (self.ui.id().with((info.name, &label, "choice")), self.trail.clone());
         let mut changed = false;
         self.ui.horizontal(|ui| {
             let (now, variants) = (choice.chosen(), choice.variants());
             let shown = variants.get(now).map_or("", |variant| variant.name);
             let mut wanted = now;
-            egui::ComboBox::from_id_salt(id).selected_text(shown).show_ui(ui, |ui| {
+            let combo = egui::ComboBox::from_id_salt(id).selected_text(shown).show_ui(ui, |ui| {
                 for (index, variant) in variants.iter().enumerate() {
-                    ui.selectable_value(&mut wanted, index, variant.name).on_hover_text(variant.doc);
+                    let value = ui.selectable_value(&mut wanted, index, variant.name).on_hover_text(variant.doc);
+                    mark(ui, &format!("choose {}", variant.name), value.rect);
                 }
             });
+            mark(ui, &format!("{trail}{}", info.name), combo.response.rect);
             ui.label(&label).on_hover_text(info.doc);
             if wanted != now {
                 changed = choice.choose(wanted);
             }
         });
-        let inside = self
-            .ui
-            .indent(id, |ui| ui.push_id(id.with(choice.chosen()), |ui| choice.inspect_inside(info, &mut Sliders { ui, name: None })).inner);
+        let inner = self.trail.clone();
+        let inside = self.ui.indent(id, |ui| {
+            ui.push_id(id.with(choice.chosen()), |ui| choice.inspect_inside(info, &mut Sliders { ui, name: None, trail: inner })).inner
+        });
         changed | inside.inner
     }
 }

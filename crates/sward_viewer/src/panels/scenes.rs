@@ -1,9 +1,14 @@
 //! The menu of scenes.
 
-use eframe::egui;
-use sward_scenes::SHIPPED;
+use eframe::egui::{self, Align2, Color32, FontId, Rect, Sense, Stroke, pos2, vec2};
+use sward_scenes::{SHIPPED, Shipped};
 
+use crate::marks::mark;
 use crate::source::Source;
+use crate::thumbnails;
+
+/// Height of the menu, points.
+const HEIGHT: f32 = 236.0;
 
 /// What a scene's own first lines say of it.
 fn about(text: &str) -> String {
@@ -15,16 +20,39 @@ fn about(text: &str) -> String {
 pub fn show(ui: &mut egui::Ui, now: Option<&Source>) -> Option<Source> {
     let mut chosen = None;
     let current = now.map(Source::name);
-    egui::ScrollArea::vertical().id_salt("scenes").max_height(260.0).auto_shrink([false, true]).show(ui, |ui| {
-        for shipped in SHIPPED {
-            let selected = current.as_deref() == Some(shipped.name);
-            let line = ui.add_sized([ui.available_width(), 24.0], egui::Button::selectable(selected, shipped.name));
-            if line.on_hover_text(about(shipped.text)).clicked() {
-                chosen = Some(Source::Shipped(shipped));
-            }
+    let width = (ui.available_width() - 2.0 * ui.spacing().item_spacing.x - 6.0) / 3.0;
+    egui::ScrollArea::vertical().id_salt("scenes").max_height(HEIGHT).auto_shrink([false, true]).show(ui, |ui| {
+        for row in SHIPPED.chunks(3) {
+            ui.horizontal(|ui| {
+                for shipped in row {
+                    if tile(ui, shipped, width, current.as_deref() == Some(shipped.name)) {
+                        chosen = Some(Source::Shipped(shipped));
+                    }
+                }
+            });
         }
     });
     chosen
+}
+
+/// One scene: its picture and its name. Whether it was chosen.
+fn tile(ui: &mut egui::Ui, shipped: &Shipped, width: f32, current: bool) -> bool {
+    let (area, response) = ui.allocate_exact_size(vec2(width, width * 0.5625), Sense::click());
+    mark(ui, &format!("scene {}", shipped.name), area);
+    let painter = ui.painter_at(area);
+    if let Some(picture) = thumbnails::of(ui.ctx(), shipped.name) {
+        painter.image(picture.id(), area, Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0)), Color32::WHITE);
+    }
+    let foot = Rect::from_min_max(pos2(area.left(), area.bottom() - 15.0), area.max);
+    painter.rect_filled(foot, 0.0, Color32::from_black_alpha(140));
+    painter.text(foot.center(), Align2::CENTER_CENTER, shipped.name, FontId::proportional(11.5), Color32::WHITE);
+    let edge = match (current, response.hovered()) {
+        (true, _) => Stroke::new(2.0, ui.visuals().selection.stroke.color),
+        (false, true) => Stroke::new(1.0, Color32::WHITE),
+        _ => Stroke::new(1.0, Color32::from_white_alpha(30)),
+    };
+    painter.rect_stroke(area, 0.0, edge, egui::StrokeKind::Inside);
+    response.on_hover_text(about(shipped.text)).clicked()
 }
 
 #[cfg(test)]

@@ -9,6 +9,9 @@ use crate::loading::{Loading, What};
 use crate::marks::mark;
 use crate::panels::{parameters, presets};
 
+/// Changes that can be taken back.
+const HISTORY: usize = 200;
+
 impl Viewer {
     /// Changes the scene: at once where that can be, else beside the one that runs, which waits for it.
     pub(super) fn change(&mut self, context: &egui::Context, scene: Scene) {
@@ -54,11 +57,16 @@ impl Viewer {
         let context = ui.ctx().clone();
         if let Some(scene) = wanted.filter(|scene| *scene != before) {
             // One entry for a whole drag of a slider.
-            if !undone && (self.history.is_empty() || !context.input(|input| input.pointer.is_decidedly_dragging())) {
+            if !undone && !self.mid_drag {
+                if self.history.len() == HISTORY {
+                    self.history.remove(0);
+                }
                 self.history.push(before);
             }
+            self.mid_drag = true;
             self.change(&context, scene);
         }
+        self.mid_drag &= context.input(|input| input.pointer.any_down());
     }
 
     /// Buttons above the parameters; whether what is wanted now is what was.
@@ -77,25 +85,27 @@ impl Viewer {
                 if save.clicked() {
                     self.ask_for(Purpose::SaveScene);
                 }
-                let reset = ui.add_enabled(now != opened, egui::Button::new("reset").small()).on_hover_text("As it was opened");
-                mark(ui, "reset", reset.rect);
-                if reset.clicked() {
-                    *wanted = Some(opened.clone());
-                }
-                let undo = ui.add_enabled(!self.history.is_empty(), egui::Button::new("undo").small()).on_hover_text("Ctrl Z");
-                mark(ui, "undo", undo.rect);
-                if undo.clicked() {
-                    *wanted = self.history.pop();
-                    undone = true;
-                }
             });
+        });
+        ui.horizontal_wrapped(|ui| {
+            let reset = ui.add_enabled(now != opened, egui::Button::new("reset").small()).on_hover_text("As it was opened");
+            mark(ui, "reset", reset.rect);
+            if reset.clicked() {
+                *wanted = Some(opened.clone());
+            }
+            let undo = ui.add_enabled(!self.history.is_empty(), egui::Button::new("undo").small()).on_hover_text("Ctrl Z");
+            mark(ui, "undo", undo.rect);
+            if undo.clicked() {
+                *wanted = self.history.pop();
+                undone = true;
+            }
+            let paint = ui.toggle_value(&mut self.canvas.open, "paint wind").on_hover_text("Draw the wind of a place with the mouse");
+            mark(ui, "paint wind", paint.rect);
         });
         ui.horizontal_wrapped(|ui| {
             if let Some(scene) = presets::show(ui, now, &mut self.presets, &mut self.preset_name) {
                 *wanted = Some(scene);
             }
-            let paint = ui.toggle_value(&mut self.canvas.open, "paint wind").on_hover_text("Draw the wind of a place with the mouse");
-            mark(ui, "paint wind", paint.rect);
         });
         undone
     }

@@ -82,6 +82,8 @@ pub struct Viewer {
     canvas: Canvas,
     /// Scenes before each change, the last one last.
     history: Vec<sward::scene::Scene>,
+    /// Whether the mouse button under which the last change was made is still down.
+    mid_drag: bool,
     hung: [Hung; 2],
     camera: Camera,
     clock: Clock,
@@ -137,6 +139,8 @@ impl Viewer {
         if settings.status.is_some() {
             marks::begin(&context.egui_ctx);
         }
+        // Where pictures take long, so does a click.
+        context.egui_ctx.options_mut(|options| options.input_options.max_click_duration = 30.0);
         let mut viewer = Self {
             gpu,
             device,
@@ -150,6 +154,7 @@ impl Viewer {
             preset_name: String::new(),
             canvas: Canvas::default(),
             history: Vec::new(),
+            mid_drag: false,
             hung: [None, None],
             camera: Camera::default(),
             clock: Clock { fixed: settings.steps, ..Clock::default() },

@@ -1,0 +1,42 @@
+//! Small pictures of the shipped scenes. `examples/thumbnails.rs` draws them.
+
+use eframe::egui;
+
+macro_rules! pictures {
+    ($($name:literal)*) => { &[$(($name, include_bytes!(concat!("../thumbnails/", $name, ".jpg")))),*] };
+}
+
+/// Names and JPEGs.
+const PICTURES: &[(&str, &[u8])] = pictures! {
+    "hello" "lawn" "reed" "crossing" "downwash" "road" "paper" "endless" "blades" "grassland" "footsteps" "stamp" "walkers" "eddies" "shrub"
+    "crown" "aquarium" "field"
+};
+
+/// The picture of a scene, which egui keeps from the first time on; `None` for a scene without one.
+pub fn of(context: &egui::Context, name: &str) -> Option<egui::TextureHandle> {
+    let (_, bytes) = PICTURES.iter().find(|(of, _)| *of == name)?;
+    let place = egui::Id::new(("thumbnail", name));
+    if let Some(known) = context.data(|data| data.get_temp::<egui::TextureHandle>(place)) {
+        return Some(known);
+    }
+    let picture = image::load_from_memory_with_format(bytes, image::ImageFormat::Jpeg).ok()?.into_rgb8();
+    let size = [picture.width() as usize, picture.height() as usize];
+    let texture = context.load_texture(name, egui::ColorImage::from_rgb(size, &picture), egui::TextureOptions::LINEAR);
+    context.data_mut(|data| data.insert_temp(place, texture.clone()));
+    Some(texture)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scene_has_a_picture() {
+        let context = egui::Context::default();
+        for shipped in sward_scenes::SHIPPED {
+            let picture = of(&context, shipped.name);
+            assert!(picture.is_some_and(|picture| picture.size() == [192, 108]), "{}", shipped.name);
+        }
+        assert!(of(&context, "nothing").is_none(), "control");
+    }
+}
