@@ -26,4 +26,5 @@ pub mod stage;
 pub mod status;
 pub mod thumbnails;
 pub mod timing;
+pub mod trails;
 pub mod viewer;

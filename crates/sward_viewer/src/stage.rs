@@ -236,7 +236,7 @@ impl Stage {
             *self.studio.stopwatch() = if asked { Stopwatch::new(&self.gpu) } else { None };
             let cells = self.on_gpu.as_ref().map_or(CellsAt::Cpu, CellsAt::Gpu);
             self.studio.show(&self.gpu, &self.world, cells, behind, size).map_err(|error| error.to_string())?;
-            times.lap("record picture", &mut before);
+            times.lap(timing::SUBMITTED, &mut before);
             told(self.studio.stopwatch(), &self.gpu, times)?;
         }
         Ok(self.studio.shown())

@@ -16,6 +16,21 @@ pub struct Body {
     pub at: Option<[f64; 2]>,
     /// Bend of the plants of the first stand that has some there, rad.
     pub bend: Option<[f32; 2]>,
+    /// The same where it was a second and a half before; `None` where it has not moved away from there.
+    pub track: Option<[f32; 2]>,
+    /// The same far enough to the side of that place that it never touched it.
+    pub beside: Option<[f32; 2]>,
+}
+
+/// What one who drives does, as scripts see it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Wheel {
+    /// Heading, rad.
+    pub yaw: f64,
+    /// Along its heading, m/s.
+    pub speed: f64,
+    /// Between where it points and where it goes, rad.
+    pub drift: f64,
 }
 
 /// What the window shows.
@@ -31,9 +46,14 @@ pub struct Status {
     pub paused: bool,
     /// The body at whose wheel somebody is.
     pub driving: Option<String>,
+    /// Heading and speed of the body that is driven.
+    pub wheel: Option<Wheel>,
     /// Bodies.
     pub bodies: Vec<Body>,
-    /// Longest part of a picture that kept the window from answering, ms: without the device's.
+    /// What the last picture kept the window from answering for, ms: all of it, and without handing the picture to the driver, which may wait for the
+    /// device.
+    pub busy: [f64; 2],
+    /// The longest of the second since the scene was there, ms.
     pub longest: f64,
     /// What is wrong.
     pub problem: Option<String>,

@@ -8,6 +8,9 @@ use web_time::Instant;
 /// Pictures that are remembered.
 pub const PICTURES: usize = 300;
 
+/// The stage in which the driver takes the picture, and may wait for the device.
+pub const SUBMITTED: &str = "record and submit picture";
+
 /// One stage's milliseconds.
 #[derive(Debug)]
 pub struct Row {
@@ -86,6 +89,11 @@ impl Times {
     /// All stages that took any time lately.
     pub fn rows(&self) -> &[Row] {
         &self.rows
+    }
+
+    /// What of this picture went into the driver, ms.
+    pub fn waited(&self) -> f64 {
+        self.rows.iter().filter(|row| row.name == SUBMITTED).map(|row| row.now).sum()
     }
 
     /// Whether the device is to be asked.

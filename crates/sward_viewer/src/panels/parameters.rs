@@ -76,7 +76,7 @@ impl Inspector for Sliders<'_> {
     }
 
     fn vector(&mut self, info: &FieldInfo, kind: NumberKind, parts: &mut [f64]) -> bool {
-        let label = self.label(info);
+        let (label, trail) = (self.label(info), self.trail.clone());
         let (low, high) = info.range.unwrap_or_else(|| kind.bounds());
         let suffix = if info.unit.is_empty() { String::new() } else { format!(" {}", info.unit) };
         let row = self.ui.horizontal(|ui| {
@@ -89,10 +89,12 @@ impl Inspector for Sliders<'_> {
                     changed = true;
                 }
             } else {
-                for part in parts {
+                for (number, part) in parts.iter_mut().enumerate() {
                     let speed = ((high - low).min(100.0) / 400.0).max(0.001);
                     let drag = egui::DragValue::new(part).range(low..=high).speed(speed).max_decimals(3).suffix(&suffix);
-                    changed |= ui.add(drag).on_hover_text(info.doc).changed();
+                    let response = ui.add(drag).on_hover_text(info.doc);
+                    mark(ui, &format!("{trail}{} {}", info.name, number + 1), response.rect);
+                    changed |= response.changed();
                 }
             }
             ui.label(label).on_hover_text(info.doc);

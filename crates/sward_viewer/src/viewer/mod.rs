@@ -36,6 +36,7 @@ use crate::source::Source;
 use crate::stage::{Backend, Stage};
 use crate::status::Log;
 use crate::timing::Times;
+use crate::trails::Trails;
 use beside::Beside;
 use files::Purpose;
 
@@ -102,7 +103,10 @@ pub struct Viewer {
     written: Option<std::time::SystemTime>,
     looked: Instant,
     before: Instant,
+    /// Milliseconds of the last picture: all, and without the driver's part.
+    busy: [f64; 2],
     longest: f64,
+    trails: Trails,
     pictures: u64,
     status: Option<Log>,
     #[cfg(not(target_arch = "wasm32"))]
@@ -171,7 +175,9 @@ impl Viewer {
             written: None,
             looked: now,
             before: now,
+            busy: [0.0; 2],
             longest: 0.0,
+            trails: Trails::default(),
             pictures: 0,
             status: settings.status,
             #[cfg(not(target_arch = "wasm32"))]
@@ -215,7 +221,9 @@ impl eframe::App for Viewer {
         for wish in wishes {
             self.grant(&context, wish);
         }
-        self.longest = begun.elapsed().as_secs_f64() * 1e3;
+        let whole = begun.elapsed().as_secs_f64() * 1e3;
+        self.busy = [whole, whole - self.times.waited()];
+        self.longest = self.longest.max(self.busy[1]);
         self.pictures += 1;
         self.times.end();
         if let Some(log) = &self.status

@@ -39,6 +39,7 @@ impl Viewer {
                         self.probe = Probe::default();
                     }
                 }
+                self.longest = 0.0;
                 self.stage = Some(stage);
                 match self.queued.take() {
                     Some(scene) => self.change(context, scene),

@@ -1,12 +1,14 @@
 //! Lets time pass, and draws.
 
 use eframe::egui;
+use sward::world::World;
 use web_time::Instant;
 
 use super::Viewer;
 use crate::camera::Kind;
 use crate::clock::Passing;
 use crate::compare::names;
+use crate::marks::mark;
 use crate::overlay::Closely;
 use crate::sight::Sight;
 use crate::stage::Move;
@@ -27,6 +29,7 @@ impl Viewer {
             None => vec![area],
         };
         let half = halves[0];
+        mark(ui, "picture", half);
         self.mouse(&response, half);
         let pixels = half.size() * ui.ctx().pixels_per_point() * self.fineness;
         let size = [pixels.x, pixels.y].map(|side| side.round().max(16.0) as u32);
@@ -68,6 +71,9 @@ impl Viewer {
         let middle = self.closely(ui, halves[0]);
         if let Some(stage) = &self.stage {
             self.probe.take(&stage.world);
+        }
+        if let Some(stage) = self.stage.as_ref().filter(|_| self.status.is_some()) {
+            bodies(ui, &stage.world, &Sight::new(&stage.world.camera(), halves[0]));
         }
         let stages = self.stage.iter_mut().chain(&mut self.beside.stage);
         for (stage, half) in stages.zip(halves) {
@@ -134,6 +140,9 @@ impl Viewer {
                     self.problem = Some(problem);
                 }
             }
+            if self.status.is_some() {
+                self.trails.take(&stage.world);
+            }
         }
         let behind = if self.clock.fixed.is_some() || self.clock.paused { 0.0 } else { stage.world.behind() };
         let followed = self.drive.map(|drive| drive.body).or(self.chosen);
@@ -171,6 +180,16 @@ impl Viewer {
         let id = renderer.register_native_texture(&self.device.device, &view, wgpu::FilterMode::Linear);
         drop(renderer);
         self.hung[half] = Some((texture, id));
+    }
+}
+
+/// Marks where bodies are seen, for scripts that take them.
+fn bodies(ui: &egui::Ui, world: &World, sight: &Sight) {
+    for (index, body) in world.scene.interactors.iter().enumerate() {
+        let Some(pose) = world.pose_before(index, 0.0) else { continue };
+        if let Some(at) = sight.at([pose.ground[0], pose.height + 0.3, pose.ground[1]]).filter(|at| sight.area().contains(*at)) {
+            mark(ui, &format!("body {}", body.name), egui::Rect::from_center_size(at, egui::vec2(4.0, 4.0)));
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Viewer;
 use crate::marks::Marks;
-use crate::status::{Body, Status};
+use crate::status::{Body, Status, Wheel};
 
 impl Viewer {
     /// What scripts are told.
@@ -10,14 +10,19 @@ impl Viewer {
         let world = self.stage.as_ref().map(|stage| &stage.world);
         let bend = |at: [f64; 2]| world.and_then(|world| (0..world.model.stands.len()).find_map(|stand| world.bend_at(stand, at)));
         let at = |body: usize| world.and_then(|world| world.pose_before(body, 0.0)).map(|pose| pose.ground);
-        let body = |(index, name): (usize, String)| Body { name, at: at(index), bend: at(index).and_then(bend) };
+        let body = |(index, name): (usize, String)| {
+            let [track, beside] = self.trails.places(index).map(|place| place.and_then(bend));
+            Body { name, at: at(index), bend: at(index).and_then(bend), track, beside }
+        };
         Status {
             scene: self.stage.as_ref().map_or_else(String::new, |stage| stage.source.name()),
             step: world.map_or(0, |world| world.state.step),
             camera: self.camera.kind.name(),
             paused: self.clock.paused,
             driving: self.drive.and_then(|drive| self.names().get(drive.body).cloned()),
+            wheel: self.drive.map(|drive| Wheel { yaw: drive.yaw, speed: drive.speed[0], drift: drive.drift() }),
             bodies: self.names().into_iter().enumerate().map(body).collect(),
+            busy: self.busy,
             longest: self.longest,
             problem: self.problem.clone(),
             notice: self.notice.clone(),
