@@ -9,6 +9,8 @@ pub mod camera;
 pub mod clock;
 pub mod compare;
 pub mod drive;
+#[cfg(any(feature = "gamepad", not(target_os = "linux")))]
+pub mod gamepad;
 pub mod hand;
 pub mod loading;
 pub mod marks;

@@ -8,14 +8,14 @@ use sward::world::World;
 use sward_wgpu::gpu::Gpu;
 
 use crate::source::Source;
-use crate::stage::{Backend, From, Stage};
+use crate::stage::{Backend, Changed, From, Stage};
 
 /// What is to be made ready.
 pub enum What {
     /// What the source says now.
     Source,
-    /// A changed scene, from where a world is.
-    Changed(Box<(Scene, World)>),
+    /// A changed scene, from where a world is; and the scene that is drawn now, if what draws it may go on.
+    Changed(Box<(Scene, World)>, Option<Box<Scene>>),
 }
 
 /// A scene that is being opened.
@@ -24,19 +24,22 @@ pub struct Loading {
     pub source: Source,
     /// Whether it is a changed scene that is shown already.
     pub changed: bool,
-    answer: Receiver<Result<Stage, String>>,
+    answer: Receiver<Result<Changed, String>>,
 }
 
 impl Loading {
     /// Begins to open a scene. `done` is called at the end, from elsewhere.
     pub fn begin(gpu: &Arc<Gpu>, from: From, what: What, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
         let (tell, answer) = channel();
-        let changed = matches!(what, What::Changed(_));
+        let changed = matches!(what, What::Changed(..));
         let (gpu, source) = (Arc::clone(gpu), from.0.clone());
         elsewhere(move || {
             let opened = match what {
-                What::Source => from.0.scene().and_then(|scene| Stage::new(&gpu, from, scene, backend)),
-                What::Changed(from_here) => Stage::changed(&gpu, from, from_here.0, from_here.1, backend),
+                What::Source => {
+                    let stage = from.0.scene().and_then(|scene| Stage::new(&gpu, from, scene, backend));
+                    stage.map(|stage| Changed::Anew(Box::new(stage)))
+                }
+                What::Changed(here, running) => Stage::changed(&gpu, from, running.as_deref(), here.0, here.1, backend),
             };
             // Nobody waits any more if another scene was asked for.
             let _ = tell.send(opened);
@@ -46,7 +49,7 @@ impl Loading {
     }
 
     /// The scene, once it is there.
-    pub fn poll(&self) -> Option<Result<Stage, String>> {
+    pub fn poll(&self) -> Option<Result<Changed, String>> {
         match self.answer.try_recv() {
             Ok(answer) => Some(answer),
             Err(TryRecvError::Empty) => None,

@@ -39,10 +39,18 @@ pub struct Move {
     pub clearance: f64,
 }
 
-/// A change that took longer, ms, is made beside the window the next time.
-const FELT: f64 = 60.0;
+/// A change that takes longer, ms, is made beside the window.
+const FELT: f64 = 25.0;
 /// Pictures between two looks at the device's clock.
 const CLOCK: u64 = 6;
+
+/// A scene that was changed beside the window.
+pub enum Changed {
+    /// What drew it before draws it still.
+    Kept(Box<(Scene, World)>),
+    /// It was made anew.
+    Anew(Box<Stage>),
+}
 
 /// Where a scene's files come from.
 pub type From = (Source, Painted);
@@ -64,7 +72,7 @@ pub struct Stage {
     studio: Studio,
     on_gpu: Option<GpuStep>,
     gpu: Arc<Gpu>,
-    /// Milliseconds of the last change while it ran.
+    /// Milliseconds that a change takes, as far as is known.
     adopted: f64,
     /// What draws no longer fits the world: another stage is on its way.
     stale: bool,
@@ -76,17 +84,45 @@ impl Stage {
     /// # Errors
     /// What is wrong with the scene, or what the device reports, in plain words.
     pub fn new(gpu: &Arc<Gpu>, (source, painted): From, scene: Scene, backend: Backend) -> Result<Self, String> {
+        let begun = Instant::now();
         let world = World::new(scene.clone(), &*source.assets(painted.clone())).map_err(|error| source.located(error))?;
-        Self::of(gpu, (source, painted), scene, world, backend)
+        let took = begun.elapsed().as_secs_f64() * 1e3;
+        Ok(Self { adopted: took, ..Self::of(gpu, (source, painted), scene, world, backend)? })
     }
 
-    /// A changed scene that goes on from where `world` is; takes as long, and may run anywhere. `scene` is as its author wrote it.
+    /// A changed scene that goes on from where `world` is; takes as long, and may run anywhere. `scene` is as its author wrote it. What draws `running` is
+    /// kept where it still can.
     ///
     /// # Errors
     /// As [`Stage::new`].
-    pub fn changed(gpu: &Arc<Gpu>, (source, painted): From, scene: Scene, mut world: World, backend: Backend) -> Result<Self, String> {
-        world.rescene(with_drivers(&world, &scene), &*source.assets(painted.clone())).map_err(|error| error.to_string())?;
-        Self::of(gpu, (source, painted), scene, world, backend)
+    pub fn changed(
+        gpu: &Arc<Gpu>,
+        (source, painted): From,
+        running: Option<&Scene>,
+        scene: Scene,
+        mut world: World,
+        backend: Backend,
+    ) -> Result<Changed, String> {
+        let begun = Instant::now();
+        let kept = world.rescene(with_drivers(&world, &scene), &*source.assets(painted.clone())).map_err(|error| error.to_string())?;
+        if kept.stands.iter().chain(&kept.bodies).all(|fate| fate.is_kept()) && running.is_some_and(|running| fits(running, &scene)) {
+            return Ok(Changed::Kept(Box::new((scene, world))));
+        }
+        let took = begun.elapsed().as_secs_f64() * 1e3;
+        let stage = Self::of(gpu, (source, painted), scene, world, backend)?;
+        Ok(Changed::Anew(Box::new(Self { adopted: took, ..stage })))
+    }
+
+    /// Goes on with a world whose scene was changed elsewhere.
+    ///
+    /// # Errors
+    /// What the device reports.
+    pub fn go_on(&mut self, scene: Scene, world: World) -> Result<(), String> {
+        let backend = self.backend();
+        self.on_gpu = None;
+        self.world = world;
+        (self.edited, self.running) = (scene.clone(), scene);
+        self.step_on(backend)
     }
 
     fn of(gpu: &Arc<Gpu>, (source, painted): From, scene: Scene, world: World, backend: Backend) -> Result<Self, String> {
@@ -131,6 +167,11 @@ impl Stage {
         }
     }
 
+    /// The scene that is drawn; `None` if what draws no longer fits.
+    pub fn drawn(&self) -> Option<&Scene> {
+        (!self.stale).then_some(&self.running)
+    }
+
     /// A change was refused while it was made ready: the panel shows what runs.
     pub fn refused(&mut self) {
         self.edited = self.running.clone();
@@ -161,8 +202,7 @@ impl Stage {
     /// # Errors
     /// What is wrong with it; the scene before goes on.
     pub fn adopt(&mut self, scene: &Scene) -> Result<bool, String> {
-        if still(&self.running) != still(scene) || responses(&self.running) != responses(scene) || self.adopted > FELT {
-            self.adopted = 0.0;
+        if self.adopted > FELT || !fits(&self.running, scene) {
             return Ok(false);
         }
         let begun = Instant::now();
@@ -271,6 +311,11 @@ fn with_drivers(world: &World, scene: &Scene) -> Scene {
         }
     }
     scene
+}
+
+/// Whether what draws one scene can draw the other, too.
+fn fits(running: &Scene, scene: &Scene) -> bool {
+    still(running) == still(scene) && responses(running) == responses(scene)
 }
 
 /// A scene without what may change while it runs.

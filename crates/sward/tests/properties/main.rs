@@ -19,4 +19,5 @@ mod layers;
 mod patches;
 mod placement;
 mod residents;
+mod standing;
 mod tiled;

@@ -18,11 +18,13 @@ pub struct Sliders<'a> {
     name: Option<String>,
     /// Where it lies in the scene: `wind 1 `.
     trail: String,
+    /// Whether a group is shown as it is, without a fold: inside a choice, which has a line of its own.
+    bare: bool,
 }
 
 /// Shows a whole scene; the answer is whether something was changed.
 pub fn show(ui: &mut egui::Ui, scene: &mut dyn Group) -> bool {
-    scene.inspect_fields(&mut Sliders { ui, name: None, trail: String::new() })
+    scene.inspect_fields(&mut Sliders { ui, name: None, trail: String::new(), bare: false })
 }
 
 impl Sliders<'_> {
@@ -134,7 +136,7 @@ impl Inspector for Sliders<'_> {
                         ui.vertical(|ui| {
                             let name = Some(format!("{} {}", info.name.trim_end_matches('s'), index + 1));
                             let trail = format!("{trail}{} {} ", info.name, index + 1);
-                            changed |= list.inspect_element(index, info, &mut Sliders { ui, name, trail });
+                            changed |= list.inspect_element(index, info, &mut Sliders { ui, name, trail, bare: false });
                         });
                     });
                 });
@@ -171,16 +173,20 @@ impl Inspector for Sliders<'_> {
                 optional.set_present(false, info);
                 return true;
             }
-            ui.vertical(|ui| optional.inspect_inside(info, &mut Sliders { ui, name: Some(label), trail })).inner
+            ui.vertical(|ui| optional.inspect_inside(info, &mut Sliders { ui, name: Some(label), trail, bare: false })).inner
         });
         row.inner
     }
 
     fn group(&mut self, info: &FieldInfo, group: &mut dyn Group) -> bool {
+        if self.bare {
+            self.bare = false;
+            return group.inspect_fields(self);
+        }
         let title = self.label(info);
         // An element of a list is named by its place already.
         let trail = if title.replace(' ', "_") == info.name { format!("{}{} ", self.trail, info.name) } else { self.trail.clone() };
-        self.fold(info, &title, |ui| group.inspect_fields(&mut Sliders { ui, name: None, trail }))
+        self.fold(info, &title, |ui| group.inspect_fields(&mut Sliders { ui, name: None, trail, bare: false }))
     }
 
     fn choice(&mut self, info: &FieldInfo, choice: &mut dyn Choice) -> bool {
@@ -205,7 +211,10 @@ impl Inspector for Sliders<'_> {
         });
         let inner = self.trail.clone();
         let inside = self.ui.indent(id, |ui| {
-            ui.push_id(id.with(choice.chosen()), |ui| choice.inspect_inside(info, &mut Sliders { ui, name: None, trail: inner })).inner
+            ui.push_id(id.with(choice.chosen()), |ui| {
+                choice.inspect_inside(info, &mut Sliders { ui, name: None, trail: inner, bare: true })
+            })
+            .inner
         });
         changed | inside.inner
     }

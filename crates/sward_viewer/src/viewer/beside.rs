@@ -5,7 +5,7 @@ use eframe::egui;
 use super::Viewer;
 use crate::compare::with_response;
 use crate::loading::{Loading, What};
-use crate::stage::Stage;
+use crate::stage::{Changed, Stage};
 
 /// The other half of the window.
 #[derive(Default)]
@@ -14,6 +14,8 @@ pub(super) struct Beside {
     pub(super) response: Option<usize>,
     pub(super) stage: Option<Stage>,
     pub(super) loading: Option<Loading>,
+    /// The first half has changed again meanwhile.
+    again: bool,
 }
 
 impl Viewer {
@@ -26,12 +28,15 @@ impl Viewer {
     /// Makes the other half ready from where the first is now.
     pub(super) fn follow_beside(&mut self, context: &egui::Context) {
         let (Some(stage), Some(response)) = (&mut self.stage, self.beside.response) else { return };
-        self.beside.stage = None;
+        if self.beside.loading.is_some() {
+            self.beside.again = true;
+            return;
+        }
         let scene = with_response(&stage.edited, response);
         match stage.copied() {
             Ok(world) => {
                 let (wake, from) = (context.clone(), (stage.source.clone(), stage.painted.clone()));
-                let what = What::Changed(Box::new((scene, world)));
+                let what = What::Changed(Box::new((scene, world)), None);
                 self.beside.loading = Some(Loading::begin(&self.gpu, from, what, self.backend, move || wake.request_repaint()));
             }
             Err(problem) => (self.problem, self.beside.response) = (Some(problem), None),
@@ -39,12 +44,16 @@ impl Viewer {
     }
 
     /// Takes the other half over when it is ready.
-    pub(super) fn arrive_beside(&mut self) {
+    pub(super) fn arrive_beside(&mut self, context: &egui::Context) {
         let Some(answer) = self.beside.loading.as_ref().and_then(Loading::poll) else { return };
         self.beside.loading = None;
         match answer {
-            Ok(stage) => self.beside.stage = Some(stage),
+            Ok(Changed::Anew(stage)) => self.beside.stage = Some(*stage),
+            Ok(Changed::Kept(_)) => {}
             Err(problem) => (self.problem, self.beside.response) = (Some(problem), None),
+        }
+        if std::mem::take(&mut self.beside.again) {
+            self.follow_beside(context);
         }
     }
 }

@@ -32,7 +32,8 @@ impl Viewer {
                 stage.edited = scene.clone();
                 match stage.copied() {
                     Ok(world) => {
-                        let what = What::Changed(Box::new((scene, world)));
+                        let running = stage.drawn().map(|scene| Box::new(scene.clone()));
+                        let what = What::Changed(Box::new((scene, world)), running);
                         self.loading = Some(Loading::begin(&self.gpu, from, what, self.backend, move || wake.request_repaint()));
                     }
                     Err(problem) => self.problem = Some(problem),

@@ -66,6 +66,13 @@ impl Viewer {
 
     /// What held keys ask for.
     pub(super) fn asked(&self, context: &egui::Context) -> Asked {
+        let keys = Self::held(context);
+        #[cfg(any(feature = "gamepad", not(target_os = "linux")))]
+        let keys = self.gamepad.as_ref().map_or(keys, |gamepad| gamepad.asked(keys));
+        keys
+    }
+
+    fn held(context: &egui::Context) -> Asked {
         if context.egui_wants_keyboard_input() {
             return Asked::default();
         }
@@ -80,6 +87,37 @@ impl Viewer {
         })
     }
 
+    /// What buttons of a gamepad ask for, and how its right stick turns the camera.
+    #[cfg(any(feature = "gamepad", not(target_os = "linux")))]
+    pub(super) fn buttons(&mut self, context: &egui::Context, wishes: &mut Vec<Wish>) {
+        let Some(gamepad) = &mut self.gamepad else { return };
+        let (pressed, [right, up]) = (gamepad.pressed(), gamepad.look());
+        let bodies = self.stage.as_ref().map_or(0, |stage| stage.world.scene.interactors.len());
+        if pressed.wheel {
+            wishes.push(Wish::Wheel);
+        }
+        if pressed.camera {
+            wishes.push(Wish::Camera(self.camera.kind.next()));
+        }
+        if pressed.body && bodies > 0 {
+            wishes.push(Wish::Choose(self.chosen.map_or(0, |body| (body + 1) % bodies)));
+        }
+        self.clock.paused ^= pressed.pause;
+        if right != 0.0 || up != 0.0 {
+            let seconds = f64::from(context.input(|input| input.stable_dt)).min(0.1);
+            self.free_camera();
+            self.camera.turn(2.0 * right * seconds, 1.4 * up * seconds);
+        }
+    }
+
+    /// A camera that is the scene's becomes one that circles.
+    fn free_camera(&mut self) {
+        if let Some(stage) = self.stage.as_ref().filter(|_| self.camera.kind == Kind::Scene) {
+            let view = stage.world.camera();
+            self.camera.take(Kind::Orbit, &view);
+        }
+    }
+
     /// The mouse over the picture drags a body, or turns, moves and zooms the camera; one that is the scene's becomes one that circles. A click puts the
     /// probe.
     pub(super) fn mouse(&mut self, response: &egui::Response, half: egui::Rect) {
@@ -92,10 +130,7 @@ impl Viewer {
         if moved == egui::Vec2::ZERO && wheel == 0.0 && pinch == 1.0 {
             return;
         }
-        if let Some(stage) = self.stage.as_ref().filter(|_| self.camera.kind == Kind::Scene) {
-            let view = stage.world.camera();
-            self.camera.take(Kind::Orbit, &view);
-        }
+        self.free_camera();
         let (x, y) = (f64::from(moved.x), f64::from(moved.y));
         if response.dragged_by(egui::PointerButton::Primary) {
             self.camera.turn(0.005 * x, -0.005 * y);

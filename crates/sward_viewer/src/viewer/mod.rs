@@ -22,6 +22,8 @@ use web_time::Instant;
 use crate::camera::Camera;
 use crate::clock::Clock;
 use crate::drive::Drive;
+#[cfg(any(feature = "gamepad", not(target_os = "linux")))]
+use crate::gamepad::Gamepad;
 use crate::hand::Hand;
 use crate::loading::Loading;
 use crate::marks;
@@ -91,6 +93,8 @@ pub struct Viewer {
     chosen: Option<usize>,
     drive: Option<Drive>,
     hand: Option<Hand>,
+    #[cfg(any(feature = "gamepad", not(target_os = "linux")))]
+    gamepad: Option<Gamepad>,
     overlays: Overlays,
     probe: Probe,
     times: Times,
@@ -165,6 +169,8 @@ impl Viewer {
             chosen: None,
             drive: None,
             hand: None,
+            #[cfg(any(feature = "gamepad", not(target_os = "linux")))]
+            gamepad: Gamepad::new(),
             overlays: Overlays::default(),
             probe: Probe::default(),
             times: Times::default(),
@@ -211,6 +217,8 @@ impl eframe::App for Viewer {
         self.chosen_files(&context);
         let mut wishes = Vec::new();
         self.keys(&context, &mut wishes);
+        #[cfg(any(feature = "gamepad", not(target_os = "linux")))]
+        self.buttons(&context, &mut wishes);
         egui::Panel::left("tools").resizable(true).default_size(290.0).show(ui, |ui| self.side(ui, &mut wishes));
         egui::Panel::right("parameters").resizable(true).default_size(330.0).show(ui, |ui| self.parameters(ui));
         self.said(ui);

@@ -8,6 +8,7 @@ use crate::camera::Camera;
 use crate::loading::{Loading, What};
 use crate::probe::Probe;
 use crate::source::Source;
+use crate::stage::Changed;
 
 impl Viewer {
     /// Begins to open a scene; the one that is there goes on until the other is.
@@ -22,17 +23,23 @@ impl Viewer {
 
     /// Takes over what was made ready meanwhile.
     pub(super) fn arrive(&mut self, context: &egui::Context) {
-        self.arrive_beside();
+        self.arrive_beside(context);
         let Some(answer) = self.loading.as_ref().and_then(Loading::poll) else { return };
         let changed = self.loading.take().is_some_and(|loading| loading.changed);
         match answer {
-            Ok(mut stage) => {
+            Ok(Changed::Kept(kept)) => {
+                let (scene, world) = *kept;
+                self.problem = self.stage.as_mut().and_then(|stage| stage.go_on(scene, world).err());
+                self.next(context);
+            }
+            Ok(Changed::Anew(mut stage)) => {
                 self.problem = None;
                 if let Some(before) = self.stage.as_ref().filter(|_| changed) {
                     stage.opened = before.opened.clone();
                 } else {
                     let same = self.stage.as_ref().is_some_and(|before| before.source.name() == stage.source.name());
                     (self.drive, self.hand) = (None, None);
+                    self.beside.stage = None;
                     if !same {
                         self.camera = Camera::default();
                         self.chosen = (!stage.world.scene.interactors.is_empty()).then_some(0);
@@ -40,11 +47,8 @@ impl Viewer {
                     }
                 }
                 self.longest = 0.0;
-                self.stage = Some(stage);
-                match self.queued.take() {
-                    Some(scene) => self.change(context, scene),
-                    None => self.follow_beside(context),
-                }
+                self.stage = Some(*stage);
+                self.next(context);
             }
             Err(problem) => {
                 // What the panel shows is what runs.
@@ -53,6 +57,14 @@ impl Viewer {
                 }
                 (self.problem, self.queued) = (Some(problem), None);
             }
+        }
+    }
+
+    /// Goes on with the change that waits, or else with the other half of the window.
+    fn next(&mut self, context: &egui::Context) {
+        match self.queued.take() {
+            Some(scene) => self.change(context, scene),
+            None => self.follow_beside(context),
         }
     }
 

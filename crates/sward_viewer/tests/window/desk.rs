@@ -8,9 +8,9 @@ use libtest_mimic::Failed;
 use serde_json::Value;
 
 /// Longest that anything may take.
-const PATIENCE: Duration = Duration::from_secs(90);
+const PATIENCE: Duration = Duration::from_secs(240);
 /// Size of the window.
-pub(crate) const SIZE: [u32; 2] = [1180, 760];
+pub(crate) const SIZE: [u32; 2] = [1040, 660];
 
 /// A window on a display of its own. Both end with it.
 pub(crate) struct Desk {

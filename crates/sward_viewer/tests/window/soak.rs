@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use libtest_mimic::Failed;
 
 use crate::desk::Desk;
+use crate::tales::scenes;
 
 /// Most that memory may grow once everything is there, bytes a second: 2 MB an hour would be 600.
 const GROWTH: f64 = 40_000.0;
@@ -12,7 +13,7 @@ const GROWTH: f64 = 40_000.0;
 /// Drives around, changes cameras, looks inside; memory is fitted with a line once a third of the time has passed (at most two minutes).
 pub(crate) fn soak() -> Result<(), Failed> {
     let seconds: u64 = std::env::var("SWARD_SOAK").ok().and_then(|text| text.parse().ok()).unwrap_or(60);
-    let mut desk = Desk::open("soak", &["hello", "--steps", "2", "--pixels", "0.25", "--cpu"], &[("RUST_LOG", "warn")])?;
+    let mut desk = Desk::open("soak", &[&*scenes("hello")?, "--steps", "2", "--pixels", "0.25", "--cpu"], &[("RUST_LOG", "warn")])?;
     desk.key("e")?;
     desk.hold("w", true)?;
     let begun = Instant::now();
