@@ -1,12 +1,11 @@
 //! Opening scenes beside the window: nothing waits for it.
 
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use sward::scene::Scene;
 use sward::world::World;
-use sward_wgpu::gpu::Gpu;
 
+use crate::painter::Means;
 use crate::source::Source;
 use crate::stage::{Backend, From, Stage};
 
@@ -29,14 +28,14 @@ pub struct Loading {
 
 impl Loading {
     /// Begins to open a scene. `done` is called at the end, from elsewhere.
-    pub fn begin(gpu: &Arc<Gpu>, from: From, what: What, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
+    pub fn begin(means: &Means, from: From, what: What, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
         let (tell, answer) = channel();
         let changed = matches!(what, What::Changed(_));
-        let (gpu, source) = (Arc::clone(gpu), from.0.clone());
+        let (means, source) = (means.clone(), from.0.clone());
         elsewhere(move || {
             let opened = match what {
-                What::Source => from.0.scene().and_then(|scene| Stage::new(&gpu, from, scene, backend)),
-                What::Changed(from_here) => Stage::changed(&gpu, from, from_here.0, from_here.1, backend),
+                What::Source => from.0.scene().and_then(|scene| Stage::new(&means, from, scene, backend)),
+                What::Changed(from_here) => Stage::changed(&means, from, from_here.0, from_here.1, backend),
             };
             // Nobody waits any more if another scene was asked for.
             let _ = tell.send(opened);

@@ -1,6 +1,4 @@
-//! `sward_viewer`: opens a window in which vegetation reacts.
-
-#![forbid(unsafe_code)]
+//! The window: what is typed on the command line, and what is said when none can be opened.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -24,6 +22,9 @@ struct Arguments {
     /// Move cells on the processor; without either, as last time
     #[arg(long, conflicts_with = "gpu")]
     cpu: bool,
+    /// Draw on the processor, in a small picture, as where there is no graphics device
+    #[arg(long)]
+    raster: bool,
     /// Pixels drawn for each of the window's, 0.2 to 1
     #[arg(long, value_name = "SHARE")]
     pixels: Option<f32>,
@@ -45,7 +46,7 @@ fn size(text: &str) -> Result<[f32; 2], String> {
         .ok_or_else(|| "type it like 1280x760, 200 to 16384".to_owned())
 }
 
-fn main() -> ExitCode {
+pub(crate) fn open() -> ExitCode {
     let arguments = Arguments::parse();
     let settings = Settings {
         scene: arguments.scene.as_deref().map(Source::named),
@@ -54,6 +55,8 @@ fn main() -> ExitCode {
         fineness: arguments.pixels,
         status: arguments.status.map(Log::new),
         backend: arguments.gpu.then_some(Backend::Gpu).or(arguments.cpu.then_some(Backend::Cpu)),
+        raster: arguments.raster,
+        ..Settings::default()
     };
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
@@ -65,7 +68,7 @@ fn main() -> ExitCode {
         wgpu_options: egui_wgpu::WgpuConfiguration::default(),
         ..Default::default()
     };
-    let opened = eframe::run_native("sward", options, Box::new(|context| Ok(Box::new(Viewer::new(context, settings)?))));
+    let opened = eframe::run_native("sward", options, Box::new(|context| Ok(Box::new(Viewer::new(context, settings)))));
     match opened {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
