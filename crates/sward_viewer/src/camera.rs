@@ -97,6 +97,11 @@ impl Camera {
         self.at[2] += sine * right + forward[2] * ahead;
     }
 
+    /// How far away it is from the point looked at, m.
+    pub fn away(&self) -> f64 {
+        self.distance
+    }
+
     /// Metres that a pixel of a picture so many rows high is worth at the point looked at.
     pub fn metres(&self, rows: f32) -> f64 {
         2.0 * (0.5 * self.field_of_view).tan() * self.distance / f64::from(rows.max(1.0))

@@ -42,6 +42,15 @@ impl Clock {
     }
 }
 
+impl Clock {
+    /// Single steps that could not be taken are still asked for.
+    pub fn give_back(&mut self, steps: u32) {
+        if self.paused {
+            self.single += steps;
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -58,5 +67,7 @@ mod tests {
         clock.paused = true;
         clock.single = 2;
         assert_eq!([clock.pass(0.1), clock.pass(0.1)], [Passing::Steps(2), Passing::Steps(0)]);
+        clock.give_back(1);
+        assert_eq!([clock.pass(0.1), clock.pass(0.1)], [Passing::Steps(1), Passing::Steps(0)]);
     }
 }

@@ -5,6 +5,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod address;
 pub mod camera;
 pub mod clock;
 pub mod compare;
@@ -15,6 +16,10 @@ pub mod hand;
 pub mod loading;
 pub mod marks;
 pub mod overlay;
+pub mod pace;
+#[cfg(target_arch = "wasm32")]
+pub mod page;
+pub mod painter;
 pub mod painting;
 pub mod panels;
 pub mod presets;

@@ -1,12 +1,11 @@
 //! Opening scenes beside the window: nothing waits for it.
 
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use sward::scene::Scene;
 use sward::world::World;
-use sward_wgpu::gpu::Gpu;
 
+use crate::painter::Means;
 use crate::source::Source;
 use crate::stage::{Backend, Changed, From, Stage};
 
@@ -29,17 +28,17 @@ pub struct Loading {
 
 impl Loading {
     /// Begins to open a scene. `done` is called at the end, from elsewhere.
-    pub fn begin(gpu: &Arc<Gpu>, from: From, what: What, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
+    pub fn begin(means: &Means, from: From, what: What, backend: Backend, done: impl FnOnce() + Send + 'static) -> Self {
         let (tell, answer) = channel();
         let changed = matches!(what, What::Changed(..));
-        let (gpu, source) = (Arc::clone(gpu), from.0.clone());
+        let (means, source) = (means.clone(), from.0.clone());
         elsewhere(move || {
             let opened = match what {
                 What::Source => {
-                    let stage = from.0.scene().and_then(|scene| Stage::new(&gpu, from, scene, backend));
+                    let stage = from.0.scene().and_then(|scene| Stage::new(&means, from, scene, backend));
                     stage.map(|stage| Changed::Anew(Box::new(stage)))
                 }
-                What::Changed(here, running) => Stage::changed(&gpu, from, running.as_deref(), here.0, here.1, backend),
+                What::Changed(here, running) => Stage::changed(&means, from, running.as_deref(), here.0, here.1, backend),
             };
             // Nobody waits any more if another scene was asked for.
             let _ = tell.send(opened);

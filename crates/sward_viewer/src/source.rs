@@ -79,6 +79,14 @@ impl Source {
         match self {
             Self::Shipped(shipped) => Ok(shipped.text.to_owned()),
             Self::Text(_, text) => Ok(text.clone()),
+            Self::File(path) if cfg!(target_arch = "wasm32") => {
+                let names: Vec<&str> = sward_scenes::SHIPPED.iter().map(|shipped| shipped.name).collect();
+                Err(format!(
+                    "{}: no scene of this name comes with sward. These do: {}. Drop a file on the page to open it",
+                    path.display(),
+                    names.join(", ")
+                ))
+            }
             Self::File(path) => std::fs::read_to_string(path).map_err(|error| format!("{}: cannot be read: {error}", path.display())),
         }
     }

@@ -7,12 +7,14 @@ use sward::scene::{Driven, Path, Scene};
 use sward::view::View;
 use sward::world::World;
 use sward_wgpu::compute::GpuStep;
-use sward_wgpu::gpu::Gpu;
+use sward_wgpu::compute::download::Download;
+use sward_wgpu::gpu::{Gpu, GpuError};
 use sward_wgpu::stopwatch::Stopwatch;
-use sward_wgpu::studio::{CellsAt, Studio};
 use web_time::Instant;
 
 use crate::clock::Passing;
+use crate::pace::Pace;
+use crate::painter::{Means, Painter, Shown};
 use crate::source::{Painted, Source};
 use crate::timing::{self, Times};
 
@@ -24,6 +26,16 @@ pub enum Backend {
     Cpu,
     /// On the graphics device.
     Gpu,
+}
+
+impl Backend {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Cpu => "cpu",
+            Self::Gpu => "gpu",
+        }
+    }
 }
 
 /// Where somebody puts a body in a step.
@@ -52,8 +64,23 @@ pub enum Changed {
     Anew(Box<Stage>),
 }
 
+/// What a picture shows: step, view, steps before it, pixels.
+type Moment = (u64, Option<View>, f64, [u32; 2]);
+
 /// Where a scene's files come from.
 pub type From = (Source, Painted);
+
+/// Cells on the device.
+struct OnGpu {
+    step: GpuStep,
+    gpu: Arc<Gpu>,
+    /// Whether anybody may wait for it.
+    patient: bool,
+    /// Cells on their way to the processor.
+    fetching: Option<Download>,
+    /// Step whose cells the processor has, too.
+    fetched: Option<u64>,
+}
 
 /// A scene that runs.
 pub struct Stage {
@@ -69,9 +96,12 @@ pub struct Stage {
     running: Scene,
     /// The world.
     pub world: World,
-    studio: Studio,
-    on_gpu: Option<GpuStep>,
-    gpu: Arc<Gpu>,
+    painter: Painter,
+    on_gpu: Option<OnGpu>,
+    means: Means,
+    pace: Pace,
+    /// What the last picture showed: step, view, steps before it, pixels.
+    drawn: Option<Moment>,
     /// Milliseconds that a change takes, as far as is known.
     adopted: f64,
     /// What draws no longer fits the world: another stage is on its way.
@@ -83,11 +113,11 @@ impl Stage {
     ///
     /// # Errors
     /// What is wrong with the scene, or what the device reports, in plain words.
-    pub fn new(gpu: &Arc<Gpu>, (source, painted): From, scene: Scene, backend: Backend) -> Result<Self, String> {
+    pub fn new(means: &Means, (source, painted): From, scene: Scene, backend: Backend) -> Result<Self, String> {
         let begun = Instant::now();
         let world = World::new(scene.clone(), &*source.assets(painted.clone())).map_err(|error| source.located(error))?;
         let took = begun.elapsed().as_secs_f64() * 1e3;
-        Ok(Self { adopted: took, ..Self::of(gpu, (source, painted), scene, world, backend)? })
+        Ok(Self { adopted: took, ..Self::of(means, (source, painted), scene, world, backend)? })
     }
 
     /// A changed scene that goes on from where `world` is; takes as long, and may run anywhere. `scene` is as its author wrote it. What draws `running` is
@@ -96,7 +126,7 @@ impl Stage {
     /// # Errors
     /// As [`Stage::new`].
     pub fn changed(
-        gpu: &Arc<Gpu>,
+        means: &Means,
         (source, painted): From,
         running: Option<&Scene>,
         scene: Scene,
@@ -109,7 +139,7 @@ impl Stage {
             return Ok(Changed::Kept(Box::new((scene, world))));
         }
         let took = begun.elapsed().as_secs_f64() * 1e3;
-        let stage = Self::of(gpu, (source, painted), scene, world, backend)?;
+        let stage = Self::of(means, (source, painted), scene, world, backend)?;
         Ok(Changed::Anew(Box::new(Self { adopted: took, ..stage })))
     }
 
@@ -121,12 +151,12 @@ impl Stage {
         let backend = self.backend();
         self.on_gpu = None;
         self.world = world;
-        (self.edited, self.running) = (scene.clone(), scene);
-        self.step_on(backend)
+        (self.edited, self.running, self.drawn) = (scene.clone(), scene, None);
+        self.step_on(backend).map(|_| ())
     }
 
-    fn of(gpu: &Arc<Gpu>, (source, painted): From, scene: Scene, world: World, backend: Backend) -> Result<Self, String> {
-        let studio = Studio::new(gpu, &world).map_err(|error| error.to_string())?;
+    fn of(means: &Means, (source, painted): From, scene: Scene, world: World, backend: Backend) -> Result<Self, String> {
+        let painter = Painter::new(means, &world)?;
         let [opened, edited, running] = [scene.clone(), scene.clone(), scene];
         let mut stage = Self {
             source,
@@ -135,9 +165,11 @@ impl Stage {
             edited,
             running,
             world,
-            studio,
+            painter,
             on_gpu: None,
-            gpu: Arc::clone(gpu),
+            means: means.clone(),
+            pace: Pace::default(),
+            drawn: None,
             adopted: 0.0,
             stale: false,
         };
@@ -145,31 +177,38 @@ impl Stage {
         Ok(stage)
     }
 
-    /// The world as it is, with its cells, for [`Stage::changed`].
+    /// Brings the cells to the processor, where a device steps: for whoever looks at them. `false` where nobody may wait: they are on their way then,
+    /// and until they are there no step is taken.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn copied(&mut self) -> Result<World, String> {
-        if let Some(step) = &mut self.on_gpu {
-            step.download(&self.gpu, &mut self.world).map_err(|error| error.to_string())?;
-        }
-        Ok(self.world.clone())
+    pub fn bring(&mut self) -> Result<bool, String> {
+        self.on_gpu.as_mut().map_or(Ok(true), |on_gpu| on_gpu.bring(&mut self.world).map_err(|error| error.to_string()))
     }
 
-    /// Brings the cells to the processor, where a device steps: for whoever looks at them.
+    /// Whether a step can be taken without waiting; always where waiting is allowed.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn bring(&mut self) -> Result<(), String> {
+    pub fn ready(&mut self) -> Result<bool, String> {
         match &mut self.on_gpu {
-            Some(step) => step.download(&self.gpu, &mut self.world).map_err(|error| error.to_string()),
-            None => Ok(()),
+            Some(on_gpu) if !on_gpu.patient => {
+                let brought = on_gpu.fetching.is_none() || on_gpu.bring(&mut self.world).map_err(|error| error.to_string())?;
+                Ok(brought && on_gpu.step.ready(&on_gpu.gpu))
+            }
+            _ => Ok(true),
         }
     }
 
     /// The scene that is drawn; `None` if what draws no longer fits.
-    pub fn drawn(&self) -> Option<&Scene> {
+    pub fn shown(&self) -> Option<&Scene> {
         (!self.stale).then_some(&self.running)
+    }
+
+    /// Steps that were due and could not be taken: their time has not passed.
+    pub fn give_back(&mut self, steps: u32) {
+        let most = self.world.model.dt * f64::from(self.world.scene.budget.catch_up);
+        self.world.state.pending_seconds = (self.world.state.pending_seconds + f64::from(steps) * self.world.model.dt).min(most);
     }
 
     /// A change was refused while it was made ready: the panel shows what runs.
@@ -182,22 +221,30 @@ impl Stage {
         if self.on_gpu.is_some() { Backend::Gpu } else { Backend::Cpu }
     }
 
-    /// Steps elsewhere from now on; the state goes along.
+    /// Steps elsewhere from now on; the state goes along. `false`: not yet, as in [`Stage::bring`]. Where there is no device the processor steps.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn step_on(&mut self, backend: Backend) -> Result<(), String> {
-        match (backend, self.on_gpu.take()) {
-            (Backend::Gpu, None) => self.on_gpu = Some(GpuStep::new(&self.gpu, &self.world).map_err(|error| error.to_string())?),
-            (Backend::Gpu, Some(step)) => self.on_gpu = Some(step),
-            (Backend::Cpu, Some(mut step)) => step.download(&self.gpu, &mut self.world).map_err(|error| error.to_string())?,
-            (Backend::Cpu, None) => {}
+    pub fn step_on(&mut self, backend: Backend) -> Result<bool, String> {
+        match (backend, &self.on_gpu, &self.means) {
+            (Backend::Gpu, None, Means::Device { gpu, patient }) => {
+                let step = GpuStep::new(gpu, &self.world).map_err(|error| error.to_string())?;
+                let (gpu, patient, now) = (Arc::clone(gpu), *patient, self.world.state.step);
+                self.on_gpu = Some(OnGpu { step, gpu, patient, fetching: None, fetched: Some(now) });
+            }
+            (Backend::Cpu, Some(_), _) => {
+                if !self.bring()? {
+                    return Ok(false);
+                }
+                self.on_gpu = None;
+            }
+            _ => {}
         }
-        Ok(())
+        Ok(true)
     }
 
     /// Takes over a changed scene while it runs, if what has changed can be changed so and takes no time that anybody would feel; `false`: it must be
-    /// made ready beside this one, with [`Stage::changed`].
+    /// made ready beside this one, with [`Stage::changed`]. The cells must have been [brought](Stage::bring).
     ///
     /// # Errors
     /// What is wrong with it; the scene before goes on.
@@ -207,6 +254,7 @@ impl Stage {
         }
         let begun = Instant::now();
         let backend = self.backend();
+        self.drawn = None;
         self.step_on(Backend::Cpu)?;
         let kept = self.world.rescene(with_drivers(&self.world, scene), &*self.source.assets(self.painted.clone()));
         let kept = match kept {
@@ -249,12 +297,12 @@ impl Stage {
             }
         }
         let mut before = Instant::now();
-        if let Some(step) = &mut self.on_gpu {
-            let asked = times.asks() && times.pictures().is_multiple_of(CLOCK);
-            step.stopwatch = if asked { Stopwatch::new(&self.gpu) } else { None };
-            step.step(&self.gpu, &mut self.world).map_err(|error| error.to_string())?;
+        if let Some(OnGpu { step, gpu, patient, .. }) = &mut self.on_gpu {
+            let asked = *patient && times.asks() && times.pictures().is_multiple_of(CLOCK);
+            step.stopwatch = if asked { Stopwatch::new(gpu) } else { None };
+            step.step(gpu, &mut self.world).map_err(|error| error.to_string())?;
             times.lap("plan and submit", &mut before);
-            return told(&mut step.stopwatch, &self.gpu, times);
+            return told(&mut step.stopwatch, gpu, times);
         }
         let plan = self.world.plan();
         times.lap("plan", &mut before);
@@ -264,22 +312,42 @@ impl Stage {
         Ok(())
     }
 
-    /// Draws what `view` sees, or the scene's own camera.
+    /// Draws what `view` sees, or the scene's own camera; nothing where that is what was drawn last, or where nobody may wait for a device that has
+    /// enough to do.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn draw(&mut self, view: Option<View>, behind: f64, size: [u32; 2], times: &mut Times) -> Result<Option<&wgpu::Texture>, String> {
+    pub fn draw(&mut self, view: Option<View>, behind: f64, size: [u32; 2], times: &mut Times) -> Result<Option<Shown>, String> {
         self.world.viewed = view;
-        if !self.stale {
+        let moment = (self.world.state.step, view, behind, size);
+        let timed = match &self.means {
+            Means::Device { gpu, patient: true } => Some(gpu),
+            _ => None,
+        };
+        let waits = self.means.gpu().is_some() && timed.is_none() && !self.pace.is_free();
+        if !self.stale && !waits && self.drawn != Some(moment) {
             let mut before = Instant::now();
             let asked = times.asks() && times.pictures().is_multiple_of(CLOCK);
-            *self.studio.stopwatch() = if asked { Stopwatch::new(&self.gpu) } else { None };
-            let cells = self.on_gpu.as_ref().map_or(CellsAt::Cpu, CellsAt::Gpu);
-            self.studio.show(&self.gpu, &self.world, cells, behind, size).map_err(|error| error.to_string())?;
+            if let (Some(stopwatch), Some(gpu)) = (self.painter.stopwatch(), timed) {
+                *stopwatch = if asked { Stopwatch::new(gpu) } else { None };
+            }
+            let step = self.on_gpu.as_ref().map(|on_gpu| &on_gpu.step);
+            self.painter.draw(&self.means, &self.world, step, behind, size)?;
+            self.drawn = Some(moment);
+            if let (Means::Device { gpu, .. }, None) = (&self.means, timed) {
+                self.pace.hand_in(&gpu.queue);
+            }
             times.lap(timing::SUBMITTED, &mut before);
-            told(self.studio.stopwatch(), &self.gpu, times)?;
+            if let (Some(stopwatch), Some(gpu)) = (self.painter.stopwatch(), timed) {
+                told(stopwatch, gpu, times)?;
+            }
         }
-        Ok(self.studio.shown())
+        Ok(self.painter.shown())
+    }
+
+    /// The step that the last picture shows.
+    pub fn drawn(&self) -> Option<u64> {
+        self.drawn.map(|(step, ..)| step)
     }
 
     /// Reads the last picture back; waits for the device.
@@ -287,7 +355,28 @@ impl Stage {
     /// # Errors
     /// What the device reports.
     pub fn picture(&self) -> Result<Picture, String> {
-        self.studio.read(&self.gpu).map_err(|error| error.to_string())
+        self.painter.read(&self.means)
+    }
+}
+
+impl OnGpu {
+    /// See [`Stage::bring`].
+    fn bring(&mut self, world: &mut World) -> Result<bool, GpuError> {
+        let now = world.state.step;
+        if self.fetched == Some(now) {
+            return Ok(true);
+        }
+        let mut fetching = match self.fetching.take() {
+            Some(fetching) => fetching,
+            None => self.step.begin_download(&self.gpu, world),
+        };
+        if self.patient || self.step.arrived(&self.gpu, &mut fetching) {
+            self.step.finish_download(&self.gpu, world, fetching)?;
+            self.fetched = Some(now);
+            return Ok(true);
+        }
+        self.fetching = Some(fetching);
+        Ok(false)
     }
 }
 

@@ -40,8 +40,14 @@ pub struct Status {
     pub scene: String,
     /// Steps since its beginning.
     pub step: u64,
+    /// The step that the picture shows.
+    pub drawn: Option<u64>,
     /// The camera.
     pub camera: &'static str,
+    /// From the camera to what it looks at, m.
+    pub away: f64,
+    /// Where cells move.
+    pub backend: &'static str,
     /// Whether time stands still.
     pub paused: bool,
     /// The body at whose wheel somebody is.
@@ -75,12 +81,18 @@ pub struct Status {
 
 /// Where lines go.
 #[derive(Debug)]
-pub struct Log(PathBuf);
+pub enum Log {
+    /// To a file, which holds the last line only.
+    File(PathBuf),
+    /// To scripts of a page.
+    #[cfg(target_arch = "wasm32")]
+    Page,
+}
 
 impl Log {
     /// To a file, which holds the last line only.
     pub fn new(path: PathBuf) -> Self {
-        Self(path)
+        Self::File(path)
     }
 
     /// Writes one.
@@ -88,11 +100,19 @@ impl Log {
     /// # Errors
     /// What the system says.
     pub fn write(&self, status: &Status) -> std::io::Result<()> {
+        let path = match self {
+            Self::File(path) => path,
+            #[cfg(target_arch = "wasm32")]
+            Self::Page => {
+                crate::page::publish(&serde_json::to_string(status)?);
+                return Ok(());
+            }
+        };
         // A reader sees the line before or this one, never half of it.
-        let beside = self.0.with_extension("part");
+        let beside = path.with_extension("part");
         let mut file = std::fs::File::create(&beside)?;
         serde_json::to_writer(&mut file, status)?;
         file.write_all(b"\n")?;
-        std::fs::rename(beside, &self.0)
+        std::fs::rename(beside, path)
     }
 }

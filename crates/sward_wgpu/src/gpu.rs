@@ -14,6 +14,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+pub(crate) use memory::Mapping;
 use reports::Reports;
 
 /// A device that takes longer for what it was given is taken for lost.
@@ -108,6 +109,10 @@ pub enum GpuError {
         /// What did not fit, in the driver's words.
         what: String,
     },
+    /// What was asked for is still on the device, and in a browser nothing can wait for it. Ask first whether it is there: `GpuStep::ready`,
+    /// `GpuStep::arrived`.
+    #[error("the graphics device has not finished yet, and a page cannot wait for it")]
+    Early,
     /// The device reported errors while working.
     #[error("the graphics device reported: {0}")]
     Device(String),
@@ -198,6 +203,11 @@ impl Gpu {
             self.poll(wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) });
         }
         open(&self.reports).verdict()
+    }
+
+    /// Hears what the device has finished meanwhile; never waits.
+    pub(crate) fn look(&self) {
+        self.poll(wgpu::PollType::Poll);
     }
 
     /// Waits until `submission` is done, or everything is.

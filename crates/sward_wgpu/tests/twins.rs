@@ -41,6 +41,8 @@ mod sheets;
 mod springs;
 #[path = "support/swings.rs"]
 mod swings;
+#[path = "support/waits.rs"]
+mod waits;
 
 fn main() -> std::process::ExitCode {
     let tests: &[adapter::Test] = &[
@@ -129,6 +131,7 @@ fn main() -> std::process::ExitCode {
         ("one_percent_is_found", controls::one_percent_is_found),
         ("swapped_planes_are_found", controls::swapped_planes_are_found),
         ("hand_over", controls::hand_over),
+        ("nobody_waits", waits::nobody_waits),
         ("half_words", halves::half_words),
         ("half_runs", halves::half_runs),
         ("half_sleeps", halves::half_sleeps),

@@ -7,6 +7,7 @@ use crate::clock::Clock;
 use crate::compare::RESPONSES;
 use crate::drive::Drive;
 use crate::marks::mark;
+use crate::painter::Means;
 use crate::stage::Backend;
 
 /// What a panel asked for.
@@ -79,7 +80,9 @@ pub fn wheel(ui: &mut egui::Ui, names: &[String], chosen: Option<usize>, drive: 
         }
     });
     let words = if drive.is_some() { "leave the wheel" } else { "take the wheel" };
-    if ui.button(words).on_hover_text("E; then W A S D or the arrows").clicked() {
+    let wheel = ui.button(words).on_hover_text("E; then W A S D or the arrows");
+    mark(ui, words, wheel.rect);
+    if wheel.clicked() {
         wishes.push(Wish::Wheel);
     }
     if let Some(drive) = drive {
@@ -101,16 +104,19 @@ pub fn wheel(ui: &mut egui::Ui, names: &[String], chosen: Option<usize>, drive: 
 }
 
 /// Where cells move, and how fine the picture is.
-pub fn machine(ui: &mut egui::Ui, backend: Backend, fineness: &mut f32, adapter: &str, wishes: &mut Vec<Wish>) {
+pub fn machine(ui: &mut egui::Ui, backend: Backend, fineness: &mut f32, means: &Means, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
         for (other, name) in [(Backend::Cpu, "step on the CPU"), (Backend::Gpu, "on the GPU")] {
-            if ui.selectable_label(backend == other, name).clicked() && backend != other {
+            let there = other == Backend::Cpu || means.gpu().is_some();
+            let button = ui.add_enabled(there, egui::Button::selectable(backend == other, name));
+            mark(ui, other.name(), button.rect);
+            if button.clicked() && backend != other {
                 wishes.push(Wish::Step(other));
             }
         }
     });
     ui.add(egui::Slider::new(fineness, 0.2..=1.0).text("pixels").max_decimals(2)).on_hover_text("Pixels drawn for each of the window's");
-    ui.weak(adapter);
+    ui.weak(means.name());
 }
 
 /// Which response the other half of the window shows.

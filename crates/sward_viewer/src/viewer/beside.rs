@@ -16,6 +16,8 @@ pub(super) struct Beside {
     pub(super) loading: Option<Loading>,
     /// The first half has changed again meanwhile.
     again: bool,
+    /// Whether it waits for the cells of the first half.
+    due: bool,
 }
 
 impl Viewer {
@@ -33,11 +35,14 @@ impl Viewer {
             return;
         }
         let scene = with_response(&stage.edited, response);
-        match stage.copied() {
-            Ok(world) => {
+        self.beside.due = false;
+        match stage.bring() {
+            Ok(false) => self.beside.due = true,
+            Ok(true) => {
+                let world = stage.world.clone();
                 let (wake, from) = (context.clone(), (stage.source.clone(), stage.painted.clone()));
                 let what = What::Changed(Box::new((scene, world)), None);
-                self.beside.loading = Some(Loading::begin(&self.gpu, from, what, self.backend, move || wake.request_repaint()));
+                self.beside.loading = Some(Loading::begin(&self.means, from, what, self.backend, move || wake.request_repaint()));
             }
             Err(problem) => (self.problem, self.beside.response) = (Some(problem), None),
         }
@@ -45,6 +50,9 @@ impl Viewer {
 
     /// Takes the other half over when it is ready.
     pub(super) fn arrive_beside(&mut self, context: &egui::Context) {
+        if self.beside.due {
+            self.follow_beside(context);
+        }
         let Some(answer) = self.beside.loading.as_ref().and_then(Loading::poll) else { return };
         self.beside.loading = None;
         match answer {

@@ -21,6 +21,15 @@ impl Viewer {
             self.queued = Some(scene);
             return;
         }
+        match stage.bring() {
+            Ok(true) => {}
+            // Its cells are on their way.
+            Ok(false) => {
+                stage.edited = scene.clone();
+                return self.queued = Some(scene);
+            }
+            Err(problem) => return self.problem = Some(problem),
+        }
         match stage.adopt(&scene) {
             Ok(true) => {
                 self.problem = None;
@@ -30,14 +39,9 @@ impl Viewer {
                 let (wake, from) = (context.clone(), (stage.source.clone(), stage.painted.clone()));
                 // What the panel shows is what was asked for; the world follows when it is ready.
                 stage.edited = scene.clone();
-                match stage.copied() {
-                    Ok(world) => {
-                        let running = stage.drawn().map(|scene| Box::new(scene.clone()));
-                        let what = What::Changed(Box::new((scene, world)), running);
-                        self.loading = Some(Loading::begin(&self.gpu, from, what, self.backend, move || wake.request_repaint()));
-                    }
-                    Err(problem) => self.problem = Some(problem),
-                }
+                let running = stage.shown().map(|scene| Box::new(scene.clone()));
+                let what = What::Changed(Box::new((scene, stage.world.clone())), running);
+                self.loading = Some(Loading::begin(&self.means, from, what, self.backend, move || wake.request_repaint()));
             }
             Err(problem) => self.problem = Some(problem),
         }

@@ -3,8 +3,10 @@
 #[cfg(not(target_arch = "wasm32"))]
 use std::path::{Path, PathBuf};
 
+#[cfg(not(target_arch = "wasm32"))]
 use eframe::egui;
 
+#[cfg(not(target_arch = "wasm32"))]
 use super::Viewer;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::painting::Painting;

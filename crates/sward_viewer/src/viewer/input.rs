@@ -105,22 +105,18 @@ impl Viewer {
         self.clock.paused ^= pressed.pause;
         if right != 0.0 || up != 0.0 {
             let seconds = f64::from(context.input(|input| input.stable_dt)).min(0.1);
-            self.free_camera();
+            self.take_camera();
             self.camera.turn(2.0 * right * seconds, 1.4 * up * seconds);
-        }
-    }
-
-    /// A camera that is the scene's becomes one that circles.
-    fn free_camera(&mut self) {
-        if let Some(stage) = self.stage.as_ref().filter(|_| self.camera.kind == Kind::Scene) {
-            let view = stage.world.camera();
-            self.camera.take(Kind::Orbit, &view);
         }
     }
 
     /// The mouse over the picture drags a body, or turns, moves and zooms the camera; one that is the scene's becomes one that circles. A click puts the
     /// probe.
     pub(super) fn mouse(&mut self, response: &egui::Response, half: egui::Rect) {
+        let two = response.ctx.multi_touch();
+        if self.touch.holds() || two.is_some() {
+            return self.turn_by_fingers(two, half);
+        }
         let wheel = if response.hovered() { response.ctx.input(|input| input.smooth_scroll_delta.y) } else { 0.0 };
         let pinch = if response.hovered() { response.ctx.input(egui::InputState::zoom_delta) } else { 1.0 };
         if self.took(response, half) {
@@ -130,7 +126,7 @@ impl Viewer {
         if moved == egui::Vec2::ZERO && wheel == 0.0 && pinch == 1.0 {
             return;
         }
-        self.free_camera();
+        self.take_camera();
         let (x, y) = (f64::from(moved.x), f64::from(moved.y));
         if response.dragged_by(egui::PointerButton::Primary) {
             self.camera.turn(0.005 * x, -0.005 * y);
@@ -140,6 +136,32 @@ impl Viewer {
         }
         if wheel != 0.0 || pinch != 1.0 {
             self.camera.zoom(f64::from(pinch) * (0.003 * f64::from(wheel)).exp());
+        }
+    }
+
+    /// A camera that is the scene's becomes one that circles.
+    fn take_camera(&mut self) {
+        if let Some(stage) = self.stage.as_ref().filter(|_| self.camera.kind == Kind::Scene) {
+            let view = stage.world.camera();
+            self.camera.take(Kind::Orbit, &view);
+        }
+    }
+
+    /// Two fingers move the camera and pinch; one turns it while another drives.
+    fn turn_by_fingers(&mut self, two: Option<egui::MultiTouchInfo>, half: egui::Rect) {
+        let turned = self.touch.turned();
+        // What the first finger may have taken before the second came.
+        self.hand = None;
+        if self.touch.holds() {
+            if turned != egui::Vec2::ZERO {
+                self.take_camera();
+                self.camera.turn(0.005 * f64::from(turned.x), -0.005 * f64::from(turned.y));
+            }
+        } else if let Some(two) = two {
+            self.take_camera();
+            let metres = self.camera.metres(half.height());
+            self.camera.slide(-f64::from(two.translation_delta.x) * metres, f64::from(two.translation_delta.y) * metres, 0.0);
+            self.camera.zoom(f64::from(two.zoom_delta));
         }
     }
 

@@ -3,17 +3,20 @@
 mod beside;
 mod editing;
 mod files;
+mod folding;
+mod hung;
 mod input;
 mod opening;
+#[cfg(target_arch = "wasm32")]
+mod page_files;
 mod painted;
 mod picture;
 #[cfg(not(target_arch = "wasm32"))]
 mod recorded;
 mod side;
 mod told;
+mod touch;
 mod wishes;
-
-use std::sync::Arc;
 
 use eframe::{egui, egui_wgpu};
 use sward_wgpu::gpu::Gpu;
@@ -28,8 +31,10 @@ use crate::hand::Hand;
 use crate::loading::Loading;
 use crate::marks;
 use crate::overlay::Overlays;
+use crate::painter::Means;
 use crate::panels::help;
 use crate::panels::painting::Canvas;
+use crate::panels::tools::Wish;
 use crate::probe::Probe;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::recording::Recording;
@@ -41,6 +46,9 @@ use crate::timing::Times;
 use crate::trails::Trails;
 use beside::Beside;
 use files::Purpose;
+use folding::Around;
+use hung::Hung;
+use touch::Touch;
 
 /// How a window begins.
 #[derive(Debug, Default)]
@@ -57,18 +65,22 @@ pub struct Settings {
     pub status: Option<Log>,
     /// Where cells move; `None`: as last time.
     pub backend: Option<Backend>,
+    /// Whether the processor draws, though there may be a graphics device.
+    pub raster: bool,
+    /// Whether the graphics device is known to be the processor in disguise: it may not say so itself.
+    pub software: bool,
+    /// What is said at the beginning.
+    pub notice: Option<String>,
 }
 
 /// Seconds between two looks at a scene's file.
 const LOOK: f32 = 0.4;
 
-/// A picture that egui knows.
-type Hung = Option<(wgpu::Texture, egui::TextureId)>;
-
 /// The window's contents.
 pub struct Viewer {
-    gpu: Arc<Gpu>,
-    device: egui_wgpu::RenderState,
+    means: Means,
+    /// What egui draws with, where that is a device that the picture is drawn on, too.
+    device: Option<egui_wgpu::RenderState>,
     stage: Option<Stage>,
     /// The same field with another response, in the other half of the window.
     beside: Beside,
@@ -83,11 +95,13 @@ pub struct Viewer {
     presets: std::collections::BTreeMap<String, String>,
     preset_name: String,
     canvas: Canvas,
+    /// Wishes that wait for cells on their way.
+    later: Vec<Wish>,
     /// Scenes before each change, the last one last.
     history: Vec<sward::scene::Scene>,
     /// Whether the mouse button under which the last change was made is still down.
     mid_drag: bool,
-    hung: [Hung; 2],
+    hung: [Option<Hung>; 2],
     camera: Camera,
     clock: Clock,
     chosen: Option<usize>,
@@ -95,6 +109,8 @@ pub struct Viewer {
     hand: Option<Hand>,
     #[cfg(any(feature = "gamepad", not(target_os = "linux")))]
     gamepad: Option<Gamepad>,
+    touch: Touch,
+    around: Around,
     overlays: Overlays,
     probe: Probe,
     times: Times,
@@ -115,6 +131,11 @@ pub struct Viewer {
     status: Option<Log>,
     #[cfg(not(target_arch = "wasm32"))]
     dialog: egui_file_dialog::FileDialog,
+    #[cfg(target_arch = "wasm32")]
+    dialog: crate::page::files::Dialog,
+    /// For what the browser finishes later.
+    #[cfg(target_arch = "wasm32")]
+    context: egui::Context,
     /// What the dialog's file is for.
     purpose: Purpose,
     #[cfg(not(target_arch = "wasm32"))]
@@ -128,16 +149,17 @@ pub struct Viewer {
 }
 
 impl Viewer {
-    /// In a window that eframe opened on wgpu.
-    ///
-    /// # Errors
-    /// There is no graphics device.
-    pub fn new(context: &eframe::CreationContext<'_>, settings: Settings) -> Result<Self, String> {
-        let device = context.wgpu_render_state.clone().ok_or("this window has no graphics device")?;
-        let info = device.adapter.get_info();
+    /// In a window that eframe opened; where that is not on wgpu, the processor draws.
+    pub fn new(context: &eframe::CreationContext<'_>, settings: Settings) -> Self {
+        let device = context.wgpu_render_state.clone().filter(|_| !settings.raster);
+        let info = device.as_ref().map(|device| device.adapter.get_info());
         // A software adapter shares the processor with everything else.
-        let usual = if info.device_type == wgpu::DeviceType::Cpu { 0.5 } else { 1.0 };
-        let gpu = Arc::new(Gpu::watch(device.device.clone(), device.queue.clone(), info));
+        let software = settings.software || info.as_ref().is_some_and(|info| info.device_type == wgpu::DeviceType::Cpu);
+        let usual = if software { 0.5 } else { 1.0 };
+        let means = match (&device, info) {
+            (Some(device), Some(info)) => Means::device(Gpu::watch(device.device.clone(), device.queue.clone(), info)),
+            _ => Means::Processor,
+        };
         if let Some(size) = settings.size {
             context.egui_ctx.send_viewport_cmd(egui::ViewportCommand::InnerSize(size.into()));
         }
@@ -150,17 +172,18 @@ impl Viewer {
         // Where pictures take long, so does a click.
         context.egui_ctx.options_mut(|options| options.input_options.max_click_duration = 30.0);
         let mut viewer = Self {
-            gpu,
+            means,
             device,
             stage: None,
             beside: Beside::default(),
             loading: None,
             queued: None,
             problem: None,
-            notice: None,
+            notice: settings.notice,
             presets: remembered.presets.clone(),
             preset_name: String::new(),
             canvas: Canvas::default(),
+            later: Vec::new(),
             history: Vec::new(),
             mid_drag: false,
             hung: [None, None],
@@ -171,6 +194,8 @@ impl Viewer {
             hand: None,
             #[cfg(any(feature = "gamepad", not(target_os = "linux")))]
             gamepad: Gamepad::new(),
+            touch: Touch::default(),
+            around: Around::default(),
             overlays: Overlays::default(),
             probe: Probe::default(),
             times: Times::default(),
@@ -191,6 +216,10 @@ impl Viewer {
                 .title("Open a scene")
                 .add_file_filter_extensions("scenes", vec!["ron"])
                 .default_file_filter("scenes"),
+            #[cfg(target_arch = "wasm32")]
+            dialog: Default::default(),
+            #[cfg(target_arch = "wasm32")]
+            context: context.egui_ctx.clone(),
             purpose: Purpose::default(),
             #[cfg(not(target_arch = "wasm32"))]
             recording: None,
@@ -202,7 +231,7 @@ impl Viewer {
         let last = remembered.scene.as_deref().map(Source::named).filter(Source::is_there);
         let first = settings.scene.or(last).unwrap_or_else(|| Source::named("hello"));
         viewer.open(&context.egui_ctx, first);
-        Ok(viewer)
+        viewer
     }
 }
 
@@ -213,14 +242,12 @@ impl eframe::App for Viewer {
         self.arrive(&context);
         self.reload(&context);
         self.receive(&context);
-        #[cfg(not(target_arch = "wasm32"))]
         self.chosen_files(&context);
-        let mut wishes = Vec::new();
+        let mut wishes = std::mem::take(&mut self.later);
         self.keys(&context, &mut wishes);
         #[cfg(any(feature = "gamepad", not(target_os = "linux")))]
         self.buttons(&context, &mut wishes);
-        egui::Panel::left("tools").resizable(true).default_size(290.0).show(ui, |ui| self.side(ui, &mut wishes));
-        egui::Panel::right("parameters").resizable(true).default_size(330.0).show(ui, |ui| self.parameters(ui));
+        self.sides(ui, &mut wishes);
         self.said(ui);
         self.plots(ui);
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| self.pictures(ui));

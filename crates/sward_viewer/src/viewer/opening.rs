@@ -16,7 +16,7 @@ impl Viewer {
         self.written = source.written();
         let wake = context.clone();
         self.loading =
-            Some(Loading::begin(&self.gpu, (source, self.painted()), What::Source, self.backend, move || wake.request_repaint()));
+            Some(Loading::begin(&self.means, (source, self.painted()), What::Source, self.backend, move || wake.request_repaint()));
         self.history.clear();
         self.queued = None;
     }
@@ -24,6 +24,12 @@ impl Viewer {
     /// Takes over what was made ready meanwhile.
     pub(super) fn arrive(&mut self, context: &egui::Context) {
         self.arrive_beside(context);
+        // What waited for cells on their way.
+        if self.loading.is_none()
+            && let Some(scene) = self.queued.take()
+        {
+            self.change(context, scene);
+        }
         let Some(answer) = self.loading.as_ref().and_then(Loading::poll) else { return };
         let changed = self.loading.take().is_some_and(|loading| loading.changed);
         match answer {

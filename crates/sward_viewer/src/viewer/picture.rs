@@ -10,8 +10,9 @@ use crate::clock::Passing;
 use crate::compare::names;
 use crate::marks::mark;
 use crate::overlay::Closely;
+use crate::painter::Shown;
 use crate::sight::Sight;
-use crate::stage::Move;
+use crate::stage::{Move, Stage};
 
 /// Half the side of the place where plants are looked at one by one, m.
 const CLOSELY: f64 = 1.6;
@@ -30,6 +31,7 @@ impl Viewer {
         };
         let half = halves[0];
         mark(ui, "picture", half);
+        self.follow_fingers(ui, half);
         self.mouse(&response, half);
         let pixels = half.size() * ui.ctx().pixels_per_point() * self.fineness;
         let size = [pixels.x, pixels.y].map(|side| side.round().max(16.0) as u32);
@@ -39,12 +41,14 @@ impl Viewer {
         let painter = ui.painter_at(area);
         painter.rect_filled(area, 0.0, egui::Color32::from_gray(14));
         for (half, hung) in halves.iter().zip(&self.hung) {
-            if let Some((_, id)) = hung {
+            if let Some(hung) = hung {
                 let whole = egui::Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
-                painter.image(*id, *half, whole, egui::Color32::WHITE);
+                painter.image(hung.id(), *half, whole, egui::Color32::WHITE);
             }
         }
         self.inside(ui, &halves);
+        self.show_stick(ui, half);
+        self.fold(ui, half);
         let small = egui::FontId::proportional(14.0);
         if let (Some(first), Some(second)) = (&self.stage, &self.beside.stage) {
             for (stage, half) in [first, second].into_iter().zip(&halves) {
@@ -80,10 +84,11 @@ impl Viewer {
             let sight = Sight::new(&stage.world.camera(), *half);
             let painter = ui.painter_at(*half);
             if self.overlays.any() {
-                if let Err(problem) = stage.bring() {
-                    self.problem = Some(problem);
+                match stage.bring() {
+                    Ok(true) => self.overlays.draw(&painter, &sight, &stage.world, Closely { at: middle, radius: CLOSELY }),
+                    Ok(false) => {}
+                    Err(problem) => self.problem = Some(problem),
                 }
-                self.overlays.draw(&painter, &sight, &stage.world, Closely { at: middle, radius: CLOSELY });
             }
             if let Some([x, z]) = self.probe.at.filter(|_| self.curves[1]) {
                 let ground = stage.world.model.terrain.height_at(x, z);
@@ -110,7 +115,7 @@ impl Viewer {
     fn advance(&mut self, context: &egui::Context, size: [u32; 2]) {
         let seconds = self.before.elapsed().as_secs_f64();
         self.before = Instant::now();
-        let asked = self.asked(context);
+        let asked = self.asked_of_all(context);
         let waits = self.loading.iter().chain(&self.beside.loading).any(|loading| loading.changed);
         #[cfg(not(target_arch = "wasm32"))]
         let passing = self.paced().map(Passing::Seconds).unwrap_or_else(|| self.clock.pass(seconds));
@@ -123,7 +128,15 @@ impl Viewer {
         }
         // What is being made ready goes on from where this is now.
         let steps = stage.due(if waits { Passing::Steps(0) } else { passing });
-        for _ in 0..steps {
+        for taken in 0..steps {
+            let both = [Some(&mut *stage), self.beside.stage.as_mut()].into_iter().flatten();
+            let ready = both.map(Stage::ready).try_fold(true, |all, own| own.map(|own| all & own));
+            if ready == Ok(false) {
+                stage.give_back(steps - taken);
+                self.clock.give_back(steps - taken);
+                break;
+            }
+            self.problem = ready.err().or(self.problem.take());
             let dt = stage.world.model.dt;
             let mut moves = Vec::new();
             if let Some(drive) = &mut self.drive {
@@ -148,38 +161,23 @@ impl Viewer {
         let followed = self.drive.map(|drive| drive.body).or(self.chosen);
         let view = self.camera.view(&stage.world, followed, seconds);
         let own = stage.world.viewed;
-        let drawn = stage.draw(view, behind, size, &mut self.times).map(|texture| texture.cloned());
+        let drawn = stage.draw(view, behind, size, &mut self.times);
         // The other half sees what this one sees, and has no keys of its own.
         let seen = view.or(own).unwrap_or_else(|| stage.world.camera_before(behind));
-        self.show(0, drawn);
+        self.show(context, 0, drawn);
         if let Some(beside) = &mut self.beside.stage {
-            let drawn = beside.draw(Some(seen), behind, size, &mut self.times).map(|texture| texture.cloned());
-            self.show(1, drawn);
+            let drawn = beside.draw(Some(seen), behind, size, &mut self.times);
+            self.show(context, 1, drawn);
         }
     }
 
     /// Hangs what was drawn, or says why it was not.
-    fn show(&mut self, half: usize, drawn: Result<Option<wgpu::Texture>, String>) {
+    fn show(&mut self, context: &egui::Context, half: usize, drawn: Result<Option<Shown>, String>) {
         match drawn {
-            Ok(Some(texture)) => self.hang(half, texture),
+            Ok(Some(shown)) => self.hang(context, half, shown),
             Ok(None) => {}
             Err(problem) => self.problem = Some(problem),
         }
-    }
-
-    /// Tells egui of a picture's texture, when it is another one.
-    fn hang(&mut self, half: usize, texture: wgpu::Texture) {
-        if self.hung[half].as_ref().is_some_and(|(known, _)| *known == texture) {
-            return;
-        }
-        let mut renderer = self.device.renderer.write();
-        if let Some((_, id)) = self.hung[half].take() {
-            renderer.free_texture(&id);
-        }
-        let view = texture.create_view(&Default::default());
-        let id = renderer.register_native_texture(&self.device.device, &view, wgpu::FilterMode::Linear);
-        drop(renderer);
-        self.hung[half] = Some((texture, id));
     }
 }
 

@@ -1,6 +1,7 @@
 //! A clip of what is shown.
 
 use super::Viewer;
+use super::hung::Hung;
 use crate::recording::{RATE, Recording, free};
 
 impl Viewer {
@@ -25,10 +26,10 @@ impl Viewer {
     /// Takes the pictures just drawn into the clip, and hears whether one is finished.
     pub(super) fn roll(&mut self) {
         if std::mem::take(&mut self.record_next)
-            && let Some((texture, _)) = &self.hung[0]
+            && let Some([width, height]) = self.hung[0].as_ref().map(Hung::size)
         {
             let wide = if self.beside.stage.is_some() { 2 } else { 1 };
-            let size = [wide * texture.width(), texture.height()];
+            let size = [wide * width, height];
             let stem = self.stage.as_ref().map_or_else(|| "clip".to_owned(), |stage| stage.source.name());
             match Recording::begin(free(&std::env::current_dir().unwrap_or_default(), &stem), size) {
                 Ok(recording) => self.recording = Some(recording),

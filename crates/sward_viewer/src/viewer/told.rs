@@ -2,6 +2,7 @@
 
 use super::Viewer;
 use crate::marks::Marks;
+use crate::stage::Stage;
 use crate::status::{Body, Status, Wheel};
 
 impl Viewer {
@@ -17,7 +18,10 @@ impl Viewer {
         Status {
             scene: self.stage.as_ref().map_or_else(String::new, |stage| stage.source.name()),
             step: world.map_or(0, |world| world.state.step),
+            drawn: self.stage.as_ref().and_then(Stage::drawn),
             camera: self.camera.kind.name(),
+            away: self.camera.away(),
+            backend: self.stage.as_ref().map_or(self.backend, Stage::backend).name(),
             paused: self.clock.paused,
             driving: self.drive.and_then(|drive| self.names().get(drive.body).cloned()),
             wheel: self.drive.map(|drive| Wheel { yaw: drive.yaw, speed: drive.speed[0], drift: drive.drift() }),

@@ -29,7 +29,12 @@ impl Viewer {
             Wish::Step(backend) => {
                 self.backend = backend;
                 let both = self.stage.iter_mut().chain(&mut self.beside.stage);
-                self.problem = both.map(|stage| stage.step_on(backend)).find_map(Result::err);
+                match both.map(|stage| stage.step_on(backend)).try_fold(true, |all, own| own.map(|own| all & own)) {
+                    Ok(true) => self.problem = None,
+                    // Its cells are on their way.
+                    Ok(false) => self.later.push(wish),
+                    Err(problem) => self.problem = Some(problem),
+                }
             }
             Wish::Undo => {
                 if let Some(scene) = self.history.pop() {

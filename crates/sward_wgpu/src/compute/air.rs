@@ -5,7 +5,7 @@ use std::sync::Arc;
 use sward::wind::fluid::FluidState;
 use sward::world::World;
 
-use super::readback;
+use super::download::Arriving;
 use crate::gpu::{Gpu, GpuError};
 
 /// Bytes of a texel.
@@ -49,15 +49,20 @@ impl AirTexels {
         }
     }
 
-    /// Reads the flows back into the state of a world that has done as many steps.
+    /// What is copied to read the flows back: nothing where no air flows.
+    pub(crate) fn copied(&self, world: &World) -> Vec<(&wgpu::Buffer, u64)> {
+        if world.model.fluids.is_empty() { Vec::new() } else { vec![(&self.buffer, self.buffer.size())] }
+    }
+
+    /// Takes the flows over into the state of a world that has done as many steps.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn download(&self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
+    pub(crate) fn arrive(&self, gpu: &Gpu, arriving: &mut Arriving, world: &mut World) -> Result<(), GpuError> {
         if world.model.fluids.is_empty() {
             return Ok(());
         }
-        let texels: Vec<[f32; 2]> = readback::read(gpu, &self.buffer, self.buffer.size())?;
+        let texels: Vec<[f32; 2]> = arriving.next(gpu)?;
         let step = world.state.step;
         for (fluid, flow) in world.model.fluids.iter().zip(&mut world.state.fluids) {
             let cells = |texel: u32| texels.get(texel as usize..).and_then(|rest| rest.get(..fluid.texels() / 2));

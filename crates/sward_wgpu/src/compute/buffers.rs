@@ -8,6 +8,7 @@ use sward::scene::Precision;
 use sward::state::{Awake, Cells, NONE, Root, StandState};
 
 use super::blades::ChainUniform;
+use super::download::Arriving;
 use super::sheets::SheetUniform;
 use super::swings::SwingUniform;
 use crate::gpu::{Gpu, GpuError};
@@ -270,14 +271,10 @@ impl CellBuffers {
         4 * words as u64
     }
 
-    /// Reads the sheets back into a state, those of all places it has ever used.
-    ///
-    /// # Errors
-    /// What the device reports.
-    pub fn download_sheets(&self, gpu: &Gpu, state: &mut StandState) -> Result<(), GpuError> {
+    /// What is copied to read the sheets back: those of all places a state has ever used.
+    pub(crate) fn copied_sheets(&self, state: &StandState) -> Vec<(&wgpu::Buffer, u64)> {
         let bytes = 4 * u64::from(state.sheets.pool.used()) * self.sizes.sheet;
-        state.cells.sheets = super::readback::read(gpu, &self.sheets, bytes.min(self.sheets.size()))?;
-        Ok(())
+        vec![(&self.sheets, bytes.min(self.sheets.size()))]
     }
 
     /// Says whose sheet is where in the cells of a slot.
@@ -394,33 +391,45 @@ impl CellBuffers {
         gpu.queue.write_buffer(&self.roots, u64::from(lag) * bytes.len() as u64, bytes);
     }
 
-    /// Reads all slots back into `cells`.
+    /// What is copied to read all slots back, in the order in which [`CellBuffers::arrive`] takes it.
+    pub(crate) fn copied(&self) -> Vec<(&wgpu::Buffer, u64)> {
+        let Sizes { upper, ring, states, level, before, .. } = self.sizes;
+        let packed = 2 * self.area();
+        let [level, before] = if self.precision == Precision::Full { [level, before] } else { [packed; 2] };
+        let (slots, lags) = (u64::from(self.slots), u64::from(self.lag_slots));
+        vec![
+            (&self.now, 4 * slots * level),
+            (&self.old, 4 * slots * before),
+            (&self.upper, 4 * lags * upper),
+            (&self.past, 4 * lags * ring),
+            (&self.states, 4 * slots * states),
+        ]
+    }
+
+    /// Takes all slots over into `cells`.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn download(&self, gpu: &Gpu, cells: &mut Cells) -> Result<(), GpuError> {
+    pub(crate) fn arrive(&self, gpu: &Gpu, arriving: &mut Arriving, cells: &mut Cells) -> Result<(), GpuError> {
         let split = |values: Vec<f32>, floats: u64| -> Vec<Box<[f32]>> {
             if floats == 0 { Vec::new() } else { values.chunks_exact(floats as usize).map(Into::into).collect() }
         };
         let area = self.area();
         let Sizes { upper, ring, states, .. } = self.sizes;
-        let read = |buffer: &wgpu::Buffer, slots: u32, floats: u64| -> Result<Vec<Box<[f32]>>, GpuError> {
-            Ok(split(super::readback::read(gpu, buffer, u64::from(slots) * floats * 4)?, floats))
-        };
-        let levels = |buffer: &wgpu::Buffer, level: u64| -> Result<Vec<Box<[f32]>>, GpuError> {
+        let levels = |arriving: &mut Arriving, level: u64| -> Result<Vec<Box<[f32]>>, GpuError> {
             if self.precision == Precision::Full {
-                return read(buffer, self.slots, level);
+                return Ok(split(arriving.next(gpu)?, level));
             }
-            let packed: Vec<u32> = super::readback::read(gpu, buffer, u64::from(self.slots) * 2 * area * 4)?;
+            let packed: Vec<u32> = arriving.next(gpu)?;
             Ok(packed.chunks_exact(2 * area as usize).map(|words| half::unpack_patch(words).into()).collect())
         };
-        cells.now = levels(&self.now, self.sizes.level)?;
-        cells.old = levels(&self.old, self.sizes.before)?;
+        cells.now = levels(arriving, self.sizes.level)?;
+        cells.old = levels(arriving, self.sizes.before)?;
         cells.old.resize(cells.now.len(), Box::default());
-        cells.lag = read(&self.upper, self.lag_slots, upper)?;
-        cells.history = read(&self.past, self.lag_slots, ring)?;
+        cells.lag = split(arriving.next(gpu)?, upper);
+        cells.history = split(arriving.next(gpu)?, ring);
         cells.history.resize(cells.lag.len(), Box::default());
-        cells.virtual_states = read(&self.states, self.slots, states)?;
+        cells.virtual_states = split(arriving.next(gpu)?, states);
         cells.ground.resize(cells.now.len(), Default::default());
         Ok(())
     }

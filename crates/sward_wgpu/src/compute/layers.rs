@@ -5,9 +5,10 @@ use sward::plan::LayeredPlan;
 use sward::response::harmonic::{self, HarmonicCoefficients, HarmonicModel, TOUCH_SIDE};
 use sward::state::{LayeredState, Waves};
 
+use super::Work;
 use super::air::AirTexels;
+use super::download::Arriving;
 use super::passes::{Groups, Pass};
-use super::{Work, readback};
 use crate::gpu::{Gpu, GpuError};
 use crate::render::layers::WaveBuffers;
 use crate::stopwatch::Stopwatch;
@@ -109,16 +110,28 @@ impl LayeredBuffers {
         }
     }
 
-    /// Reads the waves back.
+    /// What is copied to read the waves back.
+    pub(crate) fn copied(&self) -> Vec<(&wgpu::Buffer, u64)> {
+        let buffers = [&self.now, &self.old, &self.notes, &self.touch_now, &self.touch_old];
+        buffers.map(|buffer| (buffer, buffer.size())).to_vec()
+    }
+
+    /// Takes the waves over.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn download(&self, gpu: &Gpu, model: &HarmonicModel, state: &mut LayeredState) -> Result<(), GpuError> {
-        let read = |buffer: &wgpu::Buffer| readback::read::<[f32; 2]>(gpu, buffer, buffer.size());
+    pub(crate) fn arrive(
+        &self,
+        gpu: &Gpu,
+        arriving: &mut Arriving,
+        model: &HarmonicModel,
+        state: &mut LayeredState,
+    ) -> Result<(), GpuError> {
+        let mut read = || arriving.next::<[f32; 2]>(gpu);
         let area = (model.cells * model.cells) as usize;
-        (state.waves.now, state.waves.old) = (read(&self.now)?, read(&self.old)?);
-        state.notes = read(&self.notes)?.chunks_exact(area).map(<[_]>::to_vec).collect();
-        let (now, old) = (read(&self.touch_now)?, read(&self.touch_old)?);
+        (state.waves.now, state.waves.old) = (read()?, read()?);
+        state.notes = read()?.chunks_exact(area).map(<[_]>::to_vec).collect();
+        let (now, old) = (read()?, read()?);
         let plant = (TOUCH_SIDE * TOUCH_SIDE) as usize;
         let used = state.pool.used() as usize;
         state.touches = (0..used)

@@ -1,12 +1,14 @@
 //! The step on the GPU: the same plan, the same kernels, cells that never leave the device.
 //!
 //! Planning (bodies, wind phases, activation) stays on the CPU; the response runs as compute passes. What activation needs to know
-//! of a step comes back [`sward::activation::LATENCY`] steps later, so nothing waits for the GPU within a step.
+//! of a step comes back [`sward::activation::LATENCY`] steps later, so nothing waits for the GPU within a step. Where nothing may wait at all, in a
+//! browser, a host steps only while [`GpuStep::ready`], and takes cells over in two halves: [`GpuStep::begin_download`], [`GpuStep::finish_download`].
 
 pub mod air;
 pub mod blades;
 pub mod buffers;
 pub mod distance_maps;
+pub mod download;
 pub mod entries;
 pub mod fluid;
 pub mod layers;
@@ -45,6 +47,13 @@ struct Pending {
     step: u64,
     submission: wgpu::SubmissionIndex,
     stands: Vec<(Vec<PatchKey>, Readback)>,
+}
+
+impl Pending {
+    /// Whether filing it will not wait.
+    fn is_there(&mut self) -> bool {
+        self.stands.iter_mut().all(|(_, readback)| readback.is_there())
+    }
 }
 
 /// What the GPU did so far.
@@ -178,9 +187,23 @@ impl GpuStep {
             stopwatch.resolve(&mut encoder);
         }
         let submission = gpu.queue.submit([encoder.finish()]);
+        stands.iter_mut().for_each(|(_, readback): &mut (_, Readback)| readback.begin(gpu));
         self.pending.push_back(Pending { step: plan.step, submission, stands });
         world.end_step();
         gpu.check()
+    }
+
+    /// Whether the next [`GpuStep::step`] will not wait for the device. Never waits itself. It says nothing of what a step does: summaries are
+    /// filed as late as ever.
+    pub fn ready(&mut self, gpu: &Gpu) -> bool {
+        self.filed_without_waiting(gpu, LATENCY - 1)
+    }
+
+    /// Whether all but the last `left` summaries can be filed at once.
+    fn filed_without_waiting(&mut self, gpu: &Gpu, left: usize) -> bool {
+        gpu.look();
+        let due = self.pending.len().saturating_sub(left);
+        self.pending.iter_mut().take(due).all(Pending::is_there)
     }
 
     /// Waits until all steps handed over are done.
@@ -189,41 +212,6 @@ impl GpuStep {
     /// What the device reports.
     pub fn wait(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
         self.collect(gpu, world, 0)
-    }
-
-    /// Copies all awake cells and upper segments, and the air that flows, into `world.state`, as if the CPU had stepped.
-    ///
-    /// # Errors
-    /// What the device reports.
-    pub fn download(&mut self, gpu: &Gpu, world: &mut World) -> Result<(), GpuError> {
-        gpu.check()?;
-        self.collect(gpu, world, 0)?;
-        self.air.download(gpu, world)?;
-        let World { model, state, .. } = world;
-        for ((buffers, stand), state) in self.layered.iter().zip(&model.layered).zip(&mut state.layered) {
-            buffers.download(gpu, &stand.harmonic, state)?;
-        }
-        for ((buffers, stand), state) in self.stands.iter().zip(&model.stands).zip(&mut state.stands) {
-            // Who has which sheet the plan decides: those places never left.
-            if stand.springs.is_some() {
-                buffers.download_sheets(gpu, state)?;
-                continue;
-            }
-            buffers.download(gpu, &mut state.cells)?;
-            if let Some(chain) = &stand.chain {
-                state.cells.roots = vec![Box::default(); state.cells.lag.len()];
-                for (patch, awake) in state.awake.iter().filter(|(_, awake)| awake.lag != NONE) {
-                    state.cells.roots[awake.lag as usize] = chain::roots(&model.terrain, stand, chain, *patch);
-                }
-                continue;
-            }
-            for (patch, awake) in &state.awake {
-                if let Some(ground) = state.cells.ground.get_mut(awake.slot as usize) {
-                    *ground = stand.ground_of(&model.terrain, *patch);
-                }
-            }
-        }
-        Ok(())
     }
 
     /// Files summaries until at most `left` are on their way.

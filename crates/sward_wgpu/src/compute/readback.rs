@@ -1,11 +1,12 @@
 //! Getting numbers back from the GPU.
 
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::{Gpu, GpuError, Mapping};
 
 /// A copy of a buffer on its way to the CPU.
 pub struct Readback {
     staging: wgpu::Buffer,
     bytes: u64,
+    mapping: Option<Mapping>,
 }
 
 impl Readback {
@@ -20,10 +21,22 @@ impl Readback {
         if bytes > 0 {
             encoder.copy_buffer_to_buffer(source, 0, &staging, 0, Some(bytes));
         }
-        Self { staging, bytes }
+        Self { staging, bytes, mapping: None }
     }
 
-    /// Waits until `submission` is done and returns the values.
+    /// Asks for the values as soon as they are there; after the submission that copies them.
+    pub fn begin(&mut self, gpu: &Gpu) {
+        if self.bytes > 0 {
+            self.mapping = Some(gpu.map(&self.staging, self.bytes));
+        }
+    }
+
+    /// Whether [`Readback::take`] will not wait.
+    pub fn is_there(&mut self) -> bool {
+        self.bytes == 0 || self.mapping.as_mut().is_some_and(Mapping::is_answered)
+    }
+
+    /// Returns the values; waits until `submission` is done unless they are there.
     ///
     /// # Errors
     /// What the device reports.
@@ -31,7 +44,8 @@ impl Readback {
         if self.bytes == 0 {
             return Ok(Vec::new());
         }
-        gpu.mapped(&self.staging, self.bytes, Some(submission.clone()), bytemuck::pod_collect_to_vec)
+        let mapping = self.mapping.unwrap_or_else(|| gpu.map(&self.staging, self.bytes));
+        mapping.take(gpu, Some(submission.clone()), bytemuck::pod_collect_to_vec)
     }
 }
 
