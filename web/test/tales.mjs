@@ -183,8 +183,10 @@ export async function fingers(open) {
 // Neither WebGPU nor WebGL: the picture alone, with the same keys.
 export async function plain(open) {
   const desk = await open("scene=hello&steps=2", { kind: "nothing" });
-  const words = await desk.page.waitForFunction(() => document.querySelector("#words p").textContent.includes("WebGPU") && document.querySelector("#words p").textContent, null, { timeout: 60_000 });
-  ensure((await words.jsonValue()).includes("WebGL"), await words.jsonValue());
+  const { notice } = await desk.wait("the message", (now) => now.notice !== null);
+  ensure(notice.includes("WebGPU") && notice.includes("WebGL"), notice);
+  const shown = await desk.page.textContent("#aside");
+  ensure(shown === notice, `the page says "${shown}"`);
   await desk.wait("the scene", (now) => now.step > 0);
   await desk.page.keyboard.press("e");
   const { bodies: [from] } = await desk.wait("somebody at the wheel", (now) => now.driving === "pickup");

@@ -66,7 +66,8 @@ fn wrong_cargo(name: &str, arguments: &[&str]) -> Option<String> {
         return Some(format!("there is no {}", pair.join(" ")));
     }
     let own = arguments.iter().position(|word| *word == "--").map(|at| &arguments[at + 1..]);
-    if name == "run" { own.and_then(wrong_sward) } else { None }
+    let window = arguments.windows(2).any(|pair| matches!(pair, ["-p" | "--package", "sward_viewer"]));
+    if name == "run" && !window { own.and_then(wrong_sward) } else { None }
 }
 
 /// Whether a crate has a test, an example or a bench of this name.

@@ -1,5 +1,7 @@
 //! The sun's shadow map: depth seen from the sun, one sample a texel; and how it is read.
 
+use std::sync::OnceLock;
+
 use glam::{Vec2, Vec3};
 use sward::math::{floored, smoothstep};
 use sward::picture::frame::{FrameUniform, SHADOW_SIDE};
@@ -14,9 +16,10 @@ pub(crate) const TILES: usize = SHADOW_SIDE as usize / TILE;
 /// How much a surface's slope pushes it away from the sun, texels.
 const SLOPE: f32 = 1.5;
 
-/// The whole map, tile by tile.
-pub(crate) struct ShadowMap {
-    depths: Vec<f32>,
+/// The whole map, tile by tile. A tile is drawn when it is first looked at: what a picture does not show is never drawn.
+pub(crate) struct ShadowMap<'a> {
+    tiles: Vec<OnceLock<ShadowTile>>,
+    draw: Box<dyn Fn(usize) -> ShadowTile + Send + Sync + 'a>,
 }
 
 /// A place in the map, texels, and its depth, from frame space. `push` metres towards the sun keep a surface from shading itself.
@@ -25,17 +28,18 @@ pub(crate) fn place(frame: &FrameUniform, position: Vec3, push: f32) -> Vec3 {
     frame.shadow.transform_point3(position + frame.sun.truncate() * push)
 }
 
-impl ShadowMap {
-    /// From the tiles, row by row.
-    pub(crate) fn new(tiles: Vec<ShadowTile>) -> Self {
-        Self { depths: tiles.into_iter().flat_map(|tile| tile.depths).collect() }
+impl<'a> ShadowMap<'a> {
+    /// `draw` makes a tile, numbered row by row.
+    pub(crate) fn new(draw: impl Fn(usize) -> ShadowTile + Send + Sync + 'a) -> Self {
+        Self { tiles: (0..TILES * TILES).map(|_| OnceLock::new()).collect(), draw: Box::new(draw) }
     }
 
     #[inline]
     fn at(&self, x: i32, y: i32) -> f32 {
         let clamp = |at: i32| at.clamp(0, SHADOW_SIDE as i32 - 1) as usize;
         let (x, y) = (clamp(x), clamp(y));
-        self.depths[((y / TILE) * TILES + x / TILE) * TILE * TILE + (y % TILE) * TILE + x % TILE]
+        let index = (y / TILE) * TILES + x / TILE;
+        self.tiles[index].get_or_init(|| (self.draw)(index)).depths[(y % TILE) * TILE + x % TILE]
     }
 
     /// Share of the four texels around a place (0..=1) that light of this depth reaches, by their nearness.

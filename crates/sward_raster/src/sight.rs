@@ -16,13 +16,13 @@ pub(crate) struct Sight<'a> {
     pub(crate) eye: Vec3,
     /// Size in pixels.
     pub(crate) size: [u32; 2],
-    pub(crate) shadows: &'a ShadowMap,
+    pub(crate) shadows: &'a ShadowMap<'a>,
     /// Where the scene has some.
     pub(crate) surroundings: Option<Surroundings<'a>>,
 }
 
 impl<'a> Sight<'a> {
-    pub(crate) fn new(frame: FrameUniform, size: [u32; 2], shadows: &'a ShadowMap, surroundings: Option<Surroundings<'a>>) -> Self {
+    pub(crate) fn new(frame: FrameUniform, size: [u32; 2], shadows: &'a ShadowMap<'a>, surroundings: Option<Surroundings<'a>>) -> Self {
         let light = Light { sun: frame.sun.xyz(), sun_colour: frame.sun_colour.xyz(), sky: frame.sky.xyz(), ground: frame.ground.xyz() };
         Self { light, eye: frame.camera.xyz(), size, shadows, surroundings, frame }
     }

@@ -14,16 +14,20 @@ pub const RESPONSES: [Named; 5] = [
     ("virtual inertia", || Response::VirtualInertia(Default::default())),
 ];
 
-/// The scene with response number `response` for each stand of grass; one that has it already keeps its numbers.
+/// The scene with response number `response` for each stand of grass; one that has it already keeps its numbers, and so does a blade that moves by
+/// itself in either way: it is made of the same.
 pub fn with_response(scene: &Scene, response: usize) -> Scene {
     let mut scene = scene.clone();
     let Some((_, response)) = RESPONSES.get(response) else { return scene };
     for stand in scene.stands.iter_mut().filter(|stand| !stand.species.is_mesh()) {
-        let other = response();
-        let same = stand.response.as_ref().is_some_and(|own| std::mem::discriminant(own) == std::mem::discriminant(&other));
-        if !same {
-            stand.response = Some(other);
-        }
+        stand.response = Some(match (stand.response.take(), response()) {
+            (Some(Response::Chain(blade) | Response::VirtualInertia(blade)), Response::Chain(_)) => Response::Chain(blade),
+            (Some(Response::Chain(blade) | Response::VirtualInertia(blade)), Response::VirtualInertia(_)) => {
+                Response::VirtualInertia(blade)
+            }
+            (Some(own), other) if std::mem::discriminant(&own) == std::mem::discriminant(&other) => own,
+            (_, other) => other,
+        });
     }
     scene
 }

@@ -12,6 +12,9 @@ use sward_wgpu::studio::{CellsAt, Studio};
 /// Most pixels of a picture that the processor draws: 240 × 135.
 const PIXELS: f32 = 32400.0;
 
+/// What such a picture needs of the distance up to which every plant is drawn.
+const NEAR: f64 = 0.2;
+
 /// What there is to draw with, and to step on.
 #[derive(Clone)]
 pub enum Means {
@@ -85,7 +88,7 @@ impl Painter {
     pub fn new(means: &Means, world: &World) -> Result<Self, String> {
         Ok(match means {
             Means::Device { gpu, .. } => Self::Device(Box::new(Studio::new(gpu, world).map_err(|error| error.to_string())?)),
-            Means::Processor => Self::Processor(Box::new(sward_raster::Studio::new(world)), None),
+            Means::Processor => Self::Processor(Box::new(sward_raster::Studio::new(world).sparse(NEAR)), None),
         })
     }
 

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::marks::Marks;
 
 /// A body, as scripts see it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Body {
     /// Its name.
     pub name: String,
@@ -34,7 +34,7 @@ pub struct Wheel {
 }
 
 /// What the window shows.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Status {
     /// The scene's name; empty while none is there yet.
     pub scene: String,

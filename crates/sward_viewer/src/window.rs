@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use clap::Parser;
 use eframe::{egui, egui_wgpu};
@@ -9,6 +10,7 @@ use sward_viewer::source::Source;
 use sward_viewer::stage::Backend;
 use sward_viewer::status::Log;
 use sward_viewer::viewer::{Settings, Viewer};
+use sward_wgpu::gpu::{CLOCK, flags};
 
 /// A window in which vegetation reacts: drive through it, look inside, change everything.
 #[derive(Parser)]
@@ -47,6 +49,8 @@ fn size(text: &str) -> Result<[f32; 2], String> {
 }
 
 pub(crate) fn open() -> ExitCode {
+    // What drivers complain of; RUST_LOG=warn tells more.
+    env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("error")).init();
     let arguments = Arguments::parse();
     let settings = Settings {
         scene: arguments.scene.as_deref().map(Source::named),
@@ -58,6 +62,16 @@ pub(crate) fn open() -> ExitCode {
         raster: arguments.raster,
         ..Settings::default()
     };
+    let mut setup = egui_wgpu::WgpuSetupCreateNew::without_display_handle();
+    setup.instance_descriptor.flags = flags();
+    let usual = Arc::clone(&setup.device_descriptor);
+    setup.device_descriptor = Arc::new(move |adapter| {
+        let own = usual(adapter);
+        // For OpenGL egui asks for what a browser's would give, which is too little to draw plants with.
+        let whole = wgpu::Limits::default();
+        let required_limits = if whole.check_limits(&adapter.limits()) { whole } else { own.required_limits };
+        wgpu::DeviceDescriptor { required_features: own.required_features | (adapter.features() & CLOCK), required_limits, ..own }
+    });
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title("sward")
@@ -65,7 +79,7 @@ pub(crate) fn open() -> ExitCode {
             .with_min_inner_size([480.0, 320.0]),
         renderer: eframe::Renderer::Wgpu,
         persist_window: arguments.size.is_none(),
-        wgpu_options: egui_wgpu::WgpuConfiguration::default(),
+        wgpu_options: egui_wgpu::WgpuConfiguration { wgpu_setup: setup.into(), ..Default::default() },
         ..Default::default()
     };
     let opened = eframe::run_native("sward", options, Box::new(|context| Ok(Box::new(Viewer::new(context, settings)))));

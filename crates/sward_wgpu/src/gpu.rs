@@ -118,6 +118,9 @@ pub enum GpuError {
     Device(String),
 }
 
+/// What a device needs for [`crate::stopwatch`], as far as its adapter has it.
+pub const CLOCK: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY.union(wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES);
+
 impl Gpu {
     /// Opens the best adapter, or the one whose name contains `SWARD_ADAPTER` (case does not matter). `SWARD_ADAPTER=none`: as if there
     /// were no adapter.
@@ -137,8 +140,7 @@ impl Gpu {
     /// As [`Gpu::new`].
     pub fn with_clock() -> Result<Self, GpuError> {
         let wanted = std::env::var("SWARD_ADAPTER").ok().filter(|name| !name.is_empty());
-        let clock = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::TIMESTAMP_QUERY_INSIDE_PASSES;
-        pollster::block_on(Self::open_with(wanted.as_deref(), clock))
+        pollster::block_on(Self::open_with(wanted.as_deref(), CLOCK))
     }
 
     /// As [`Gpu::new`], with the wanted name given instead of read from the environment.
@@ -247,7 +249,7 @@ fn open(reports: &Mutex<Reports>) -> MutexGuard<'_, Reports> {
 
 /// `SWARD_VALIDATION=1` switches the driver's validation layer on. Without debug information: older layers refuse WGSL as a source
 /// language in it.
-fn flags() -> wgpu::InstanceFlags {
+pub fn flags() -> wgpu::InstanceFlags {
     if std::env::var_os("SWARD_VALIDATION").is_some_and(|value| value == "1") {
         wgpu::InstanceFlags::VALIDATION
     } else {

@@ -1,4 +1,4 @@
-//! Times of single passes, taken by the device itself. For benches: nothing else asks a device for its clock.
+//! Times of single passes, taken by the device itself. For benches, and for whoever wants to see them.
 
 use crate::compute::readback::read;
 use crate::gpu::{Gpu, GpuError};
@@ -18,7 +18,7 @@ pub struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// `None` where the device was not opened by [`Gpu::with_clock`], or its adapter has no clock.
+    /// `None` where the device was opened without [`crate::gpu::CLOCK`], or its adapter has no clock.
     pub fn new(gpu: &Gpu) -> Option<Self> {
         let features = gpu.device.features();
         if !features.contains(wgpu::Features::TIMESTAMP_QUERY) {

@@ -224,7 +224,7 @@ impl Studio {
         self.pose_figures(gpu, world, behind);
         let view = world.camera_before(behind);
         let (frame, origin) = Frame::of(world, &view, behind);
-        let seen = Seen { view: &view, origin, fullness: 1.0, behind };
+        let seen = Seen { view: &view, origin, fullness: 1.0, near: 1.0, behind };
         let projection = frame.view(&view).projection(size);
         let mut blades = blade_plan::plan(world, &seen, &self.looks, &projection, then);
         let plans = self.prepare_plants(gpu, world, cells, &seen, &mut blades);

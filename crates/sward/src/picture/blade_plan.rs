@@ -192,12 +192,13 @@ pub fn plan(world: &World, seen: &Seen, looks: &[Look], projection: &Mat4, then:
             (0..LEVELS).map(|level| blades[level] * f64::from(numbers.stride(level))).sum::<f64>() < MOST_RECORDS
         }) && total <= f64::from(world.scene.budget.visible_blades)
     };
-    let (mut short, mut stretch) = (1.0_f32, 1.0_f32);
+    let least = (1.0 / seen.near.max(1e-3)) as f32;
+    let (mut short, mut stretch) = (least, least);
     while !fits(stretch) && stretch < MOST_STRETCH {
         (short, stretch) = (stretch, 2.0 * stretch);
     }
     // To a hundredth.
-    for _ in 0..if stretch > 1.0 { 6 } else { 0 } {
+    for _ in 0..if stretch > least { 6 } else { 0 } {
         let middle = (short * stretch).sqrt();
         (short, stretch) = if fits(middle) { (short, middle) } else { (middle, stretch) };
     }

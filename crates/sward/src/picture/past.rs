@@ -43,7 +43,7 @@ impl Past {
         let behind = behind.clamp(0.0, 1.0);
         let (view, looks) = (world.camera_before(behind), subject::looks(world));
         let (_, origin) = Frame::of(world, &view, behind);
-        let seen = Seen { view: &view, origin, fullness: 1.0, behind };
+        let seen = Seen { view: &view, origin, fullness: 1.0, near: 1.0, behind };
         let share = share(world);
         let fullness = looks.iter().enumerate().map(|(index, look)| plan(world, index, &seen, look, share).1).collect();
         Self { world: world.clone(), behind, view, fullness, looks, identity: Identity::of(world) }
@@ -61,7 +61,7 @@ impl Past {
 
     /// The blades of the present picture as they were then.
     pub fn blades(&self, index: usize, origin: PatchKey, now: &BladePlan) -> Option<BladePlan> {
-        let seen = Seen { view: &self.view, origin, fullness: 1.0, behind: self.behind };
+        let seen = Seen { view: &self.view, origin, fullness: 1.0, near: 1.0, behind: self.behind };
         blade_plan::plan_then(&self.world, index, &seen, &self.looks[index], now)
     }
 
@@ -77,7 +77,7 @@ impl Past {
 
     /// What those plants are prepared with, on the `ground` of the present.
     pub fn uniform(&self, index: usize, origin: PatchKey, plain: bool, ground: &Terrain) -> PrepareUniform {
-        let seen = Seen { view: &self.view, origin, fullness: self.fullness[index], behind: self.behind };
+        let seen = Seen { view: &self.view, origin, fullness: self.fullness[index], near: 1.0, behind: self.behind };
         let identity = self.identity.of_stand(index);
         let grid = ground.grid();
         PrepareUniform { identity, grid, ..PrepareUniform::new(&self.world, self.stand(index), plain, &seen, &self.looks[index]) }

@@ -62,6 +62,8 @@ pub struct Seen<'a> {
     pub origin: PatchKey,
     /// Share of plants that [`plan`] decided to draw.
     pub fullness: f64,
+    /// Share, above 0 to 1, of the distance up to which every plant is drawn: small pictures need fewer far away.
+    pub near: f64,
     /// Steps, 0 to 1, that the picture lies before the state.
     pub behind: f64,
 }
@@ -103,9 +105,9 @@ pub(super) fn sighted(world: &World, view: &View, gone: f64) -> Vec<Sighted> {
     list
 }
 
-/// Share of plants drawn at a distance, m: the CPU side of `thin` in `prepare.wgsl`.
-fn thin(distance: f64, fullness: f64, spacing: f64) -> f64 {
-    (f64::from(FULL_CELLS) * spacing / distance.max(1e-3)).powf(f64::from(THINNING)).min(1.0) * fullness
+/// Share of plants drawn at a distance, m, where all are up to `full`: the CPU side of `thin` in `prepare.wgsl`.
+fn thin(distance: f64, fullness: f64, full: f64) -> f64 {
+    (full / distance.max(1e-3)).powf(f64::from(THINNING)).min(1.0) * fullness
 }
 
 /// The drawing order of a patch covers 2^bits cells a side.
@@ -114,9 +116,11 @@ pub(super) fn bits(cells: u32) -> u32 {
 }
 
 /// Places a patch needs, a whole number of instances.
-fn places(distance: f64, fullness: f64, stand: &StandModel) -> u32 {
+fn places(distance: f64, fullness: f64, near: f64, stand: &StandModel) -> u32 {
     let all = 1_u32 << (2 * bits(stand.cells));
-    ((thin(distance, fullness, stand.spacing) * f64::from(all)).ceil() as u32).min(all).next_multiple_of(PLANTS_PER_INSTANCE)
+    ((thin(distance, fullness, near * f64::from(FULL_CELLS) * stand.spacing) * f64::from(all)).ceil() as u32)
+        .min(all)
+        .next_multiple_of(PLANTS_PER_INSTANCE)
 }
 
 /// Plants that each stand of billboards or sheets may show.
@@ -133,7 +137,7 @@ pub fn plan(world: &World, index: usize, seen: &Seen, look: &Look, share: u32) -
         return Default::default();
     }
     let list = sighted(world, seen.view, f64::from(look.fade[1]));
-    let wanted = |fullness: f64| list.iter().map(|patch| u64::from(places(patch.distance, fullness, stand))).sum::<u64>();
+    let wanted = |fullness: f64| list.iter().map(|patch| u64::from(places(patch.distance, fullness, seen.near, stand))).sum::<u64>();
     let mut fullness = 1.0;
     while wanted(fullness) > u64::from(share) && fullness > 1e-3 {
         fullness *= 0.9;
@@ -143,7 +147,7 @@ pub fn plan(world: &World, index: usize, seen: &Seen, look: &Look, share: u32) -
     for patch in &list {
         let far = usize::from(patch.distance > plain || stand.species.pieces() == 1);
         let batch = &mut batches[far];
-        let count = places(patch.distance, fullness, stand);
+        let count = places(patch.distance, fullness, seen.near, stand);
         if u64::from(batch.plants) + u64::from(count) > u64::from(share) {
             break;
         }

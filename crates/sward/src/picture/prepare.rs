@@ -72,7 +72,7 @@ pub struct PrepareUniform {
 impl PrepareUniform {
     /// What a stand's batch is prepared with; `plain` batches have one segment.
     pub fn new(world: &World, stand: &StandModel, plain: bool, seen: &Seen, look: &Look) -> Self {
-        let Seen { fullness, behind, .. } = *seen;
+        let Seen { fullness, near, behind, .. } = *seen;
         let [x, y, z] = seen.eye(world.model.patch_side);
         let species = &stand.species;
         Self {
@@ -84,7 +84,7 @@ impl PrepareUniform {
             bits: bits(stand.cells),
             layer: first_layer(look.kind),
             plain: if plain { 0.0 } else { species.plain_distance() },
-            full: FULL_CELLS * stand.spacing as f32,
+            full: FULL_CELLS * stand.spacing as f32 * near as f32,
             gone: look.fade[1],
             width: species.width(),
             wind_response: species.continuum.wind,

@@ -79,7 +79,7 @@ fn of_patch(world: &World, index: usize, patch: PatchKey) -> Vec<StandingPlant> 
     let middle = patch.map(|along| (f64::from(along) + 0.5) * world.model.patch_side);
     // So near that nothing is left out, and from above, where nothing hides.
     let view = View { eye: [middle[0], 0.0, middle[1]], target: [middle[0], 1.0, middle[1]], field_of_view: 1.0 };
-    let seen = Seen { view: &view, origin: patch, fullness: 1.0, behind: 0.0 };
+    let seen = Seen { view: &view, origin: patch, fullness: 1.0, near: 1.0, behind: 0.0 };
     let look = &subject::looks(world)[index];
     let wind = world.wind(stand);
     let uniform = PrepareUniform { full: FAR, gone: FAR, plain: 0.0, ..PrepareUniform::new(world, stand, false, &seen, look) };

@@ -30,7 +30,7 @@ pub(crate) fn projection(world: &World) -> Mat4 {
 pub(crate) fn plan(world: &World) -> BladePlan {
     let view = world.camera();
     let (_, origin) = Frame::of(world, &view, 0.0);
-    let seen = Seen { view: &view, origin, fullness: 1.0, behind: 0.0 };
+    let seen = Seen { view: &view, origin, fullness: 1.0, near: 1.0, behind: 0.0 };
     blade_plan::plan(world, &seen, &subject::looks(world), &projection(world), false).swap_remove(0).expect("a stand of blades")
 }
 
@@ -38,7 +38,7 @@ pub(crate) fn plan(world: &World) -> BladePlan {
 pub(crate) fn solve(world: &World, plan: &BladePlan) -> Vec<Solved> {
     let view = world.camera();
     let (_, origin) = Frame::of(world, &view, 0.0);
-    let seen = Seen { view: &view, origin, fullness: 1.0, behind: 0.0 };
+    let seen = Seen { view: &view, origin, fullness: 1.0, near: 1.0, behind: 0.0 };
     let (stand, wind) = (&world.model.stands[0], world.wind_before(&world.model.stands[0], 0.0));
     let uniform = PrepareUniform::new(world, stand, false, &seen, &subject::looks(world)[0]);
     let (cells, terrain, intervals) = (&world.state.stands[0].cells, &world.model.terrain, stand.cells / NODE_CELLS);

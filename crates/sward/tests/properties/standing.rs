@@ -54,12 +54,12 @@ fn depth_is_measured_in_the_true_shape() {
     let world = world(text);
     let bodies = world.solids_now();
     assert_eq!(bodies.len(), 1);
-    // Its middle is 1.5 m up.
+    // Its middle is 1.5 m up; a little off it, the nearest way out is sideways as much as down.
     for (point, depth) in
-        [([0.0, 1.5, 4.0], 1.0), ([0.0, 0.7, 4.0], 0.2), ([0.0, 0.4, 4.0], 0.0), ([0.6, 1.5, 4.0], 0.4), ([3.0, 1.5, 4.0], 0.0)]
+        [([0.0, 1.4, 4.0], 0.9), ([0.0, 0.7, 4.0], 0.2), ([0.0, 0.4, 4.0], 0.0), ([0.6, 1.5, 4.0], 0.4), ([3.0, 1.5, 4.0], 0.0)]
     {
         let found = bodies[0].depth(point);
-        assert!((found - depth).abs() < 0.02 || (depth == 1.0 && found > 0.5), "{point:?}: {found} instead of {depth}");
+        assert!((found - depth).abs() < 0.02, "{point:?}: {found} instead of {depth}");
     }
 }
 

@@ -83,7 +83,7 @@ fn plants(world: &World, view: &View, behind: f64) -> BTreeMap<(usize, PatchKey,
     let looks = subject::looks(world);
     let mut all = BTreeMap::new();
     for (index, stand) in world.model.stands.iter().enumerate() {
-        let seen = Seen { view, origin, fullness: 1.0, behind };
+        let seen = Seen { view, origin, fullness: 1.0, near: 1.0, behind };
         let share = plan::share(world);
         let (plans, fullness) = plan::plan(world, index, &seen, &looks[index], share);
         let (seen, wind) = (Seen { fullness, ..seen }, world.wind_before(stand, behind));

@@ -53,7 +53,16 @@ impl Dialog {
 pub fn save(name: &str, bytes: &[u8]) -> Result<(), String> {
     let refused = || format!("{name}: the browser does not save it");
     let blob = Blob::new_with_u8_array_sequence(&Array::of1(&Uint8Array::from(bytes))).map_err(|_| refused())?;
-    let address = Url::create_object_url_with_blob(&blob).map_err(|_| refused())?;
+    save_blob(name, &blob)
+}
+
+/// Saves what the browser holds already.
+///
+/// # Errors
+/// The browser refuses it.
+pub fn save_blob(name: &str, blob: &Blob) -> Result<(), String> {
+    let refused = || format!("{name}: the browser does not save it");
+    let address = Url::create_object_url_with_blob(blob).map_err(|_| refused())?;
     let document = web_sys::window().and_then(|window| window.document()).ok_or_else(refused)?;
     let anchor: HtmlAnchorElement = document.create_element("a").ok().and_then(|element| element.dyn_into().ok()).ok_or_else(refused)?;
     anchor.set_href(&address);

@@ -1,6 +1,7 @@
 //! The same in a browser: with WebGPU as in a window; without it the processor draws, and WebGL shows that; without either, a plain canvas does.
 
 mod adapter;
+pub mod clip;
 pub mod files;
 mod plain;
 mod surroundings;

@@ -41,6 +41,13 @@ pub(super) fn say(words: &str) {
     let _ = place.toggle_attribute_with_force("hidden", words.is_empty());
 }
 
+/// Words beside the picture, which do not hide it.
+pub(super) fn mention(words: &str) {
+    if let Some(place) = document().ok().and_then(|document| document.get_element_by_id("aside")) {
+        place.set_text_content(Some(words));
+    }
+}
+
 /// Tells scripts: `window.sward_status` is what `text`, which is JSON, says.
 pub fn publish(text: &str) {
     if let (Some(window), Ok(status)) = (web_sys::window(), JSON::parse(text)) {

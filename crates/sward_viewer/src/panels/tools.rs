@@ -31,8 +31,8 @@ pub enum Wish {
     Compare(Option<usize>),
 }
 
-/// How time passes.
-pub fn time(ui: &mut egui::Ui, clock: &mut Clock, wishes: &mut Vec<Wish>) {
+/// How time passes, and whether a clip is being made of it.
+pub fn time(ui: &mut egui::Ui, clock: &mut Clock, recording: bool, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
         let pause = ui.button(if clock.paused { "▶" } else { "⏸" }).on_hover_text("Pause, or go on (P)");
         mark(ui, "pause", pause.rect);
@@ -45,7 +45,7 @@ pub fn time(ui: &mut egui::Ui, clock: &mut Clock, wishes: &mut Vec<Wish>) {
         if ui.button("⟲").on_hover_text("Begin again (R)").clicked() {
             wishes.push(Wish::Restart);
         }
-        let record = ui.button("⏺").on_hover_text("Record a clip into the folder the window was opened in, or end it (F9)");
+        let record = ui.selectable_label(recording, "⏺").on_hover_text("Record a clip, or end it (F9)");
         mark(ui, "record", record.rect);
         if record.clicked() {
             wishes.push(Wish::Record);

@@ -9,6 +9,8 @@ mod input;
 mod opening;
 #[cfg(target_arch = "wasm32")]
 mod page_files;
+#[cfg(target_arch = "wasm32")]
+mod page_recorded;
 mod painted;
 mod picture;
 #[cfg(not(target_arch = "wasm32"))]
@@ -31,6 +33,8 @@ use crate::hand::Hand;
 use crate::loading::Loading;
 use crate::marks;
 use crate::overlay::Overlays;
+#[cfg(target_arch = "wasm32")]
+use crate::page::clip::Clip as Recording;
 use crate::painter::Means;
 use crate::panels::help;
 use crate::panels::painting::Canvas;
@@ -138,7 +142,6 @@ pub struct Viewer {
     context: egui::Context,
     /// What the dialog's file is for.
     purpose: Purpose,
-    #[cfg(not(target_arch = "wasm32"))]
     recording: Option<Recording>,
     /// Whether a clip begins with the next picture.
     #[cfg(not(target_arch = "wasm32"))]
@@ -152,6 +155,12 @@ impl Viewer {
     /// In a window that eframe opened; where that is not on wgpu, the processor draws.
     pub fn new(context: &eframe::CreationContext<'_>, settings: Settings) -> Self {
         let device = context.wgpu_render_state.clone().filter(|_| !settings.raster);
+        let poor = device.as_ref().filter(|device| !wgpu::Limits::default().check_limits(&device.device.limits()));
+        let notice = poor.map(|device| {
+            let name = device.adapter.get_info().name;
+            format!("{name} cannot draw plants, so the processor does everything, and its pictures are small.")
+        });
+        let device = device.filter(|_| notice.is_none());
         let info = device.as_ref().map(|device| device.adapter.get_info());
         // A software adapter shares the processor with everything else.
         let software = settings.software || info.as_ref().is_some_and(|info| info.device_type == wgpu::DeviceType::Cpu);
@@ -160,6 +169,7 @@ impl Viewer {
             (Some(device), Some(info)) => Means::device(Gpu::watch(device.device.clone(), device.queue.clone(), info)),
             _ => Means::Processor,
         };
+        log::info!("drawn by {}", means.name());
         if let Some(size) = settings.size {
             context.egui_ctx.send_viewport_cmd(egui::ViewportCommand::InnerSize(size.into()));
         }
@@ -179,7 +189,7 @@ impl Viewer {
             loading: None,
             queued: None,
             problem: None,
-            notice: settings.notice,
+            notice: settings.notice.or(notice),
             presets: remembered.presets.clone(),
             preset_name: String::new(),
             canvas: Canvas::default(),
@@ -221,7 +231,6 @@ impl Viewer {
             #[cfg(target_arch = "wasm32")]
             context: context.egui_ctx.clone(),
             purpose: Purpose::default(),
-            #[cfg(not(target_arch = "wasm32"))]
             recording: None,
             #[cfg(not(target_arch = "wasm32"))]
             record_next: false,

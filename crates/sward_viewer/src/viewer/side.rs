@@ -29,7 +29,7 @@ impl Viewer {
                 self.open(&context, source);
             }
             ui.separator();
-            tools::time(ui, &mut self.clock, wishes);
+            tools::time(ui, &mut self.clock, self.recording.is_some(), wishes);
             ui.separator();
             ui.strong("camera");
             tools::camera(ui, self.camera.kind, wishes);

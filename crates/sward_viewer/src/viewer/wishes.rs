@@ -41,10 +41,7 @@ impl Viewer {
                     self.change(context, scene);
                 }
             }
-            #[cfg(not(target_arch = "wasm32"))]
             Wish::Record => self.record(),
-            #[cfg(target_arch = "wasm32")]
-            Wish::Record => {}
             Wish::Compare(response) => self.compare(context, response),
         }
     }

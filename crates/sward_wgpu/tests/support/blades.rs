@@ -136,7 +136,7 @@ fn numbers(blade: &Blade, level: usize, points: impl Iterator<Item = [f32; 3]>) 
 fn on_cpu(world: &World, behind: f64) -> (Solved, BladePlan) {
     let view = world.camera_before(behind);
     let (frame, origin) = Frame::of(world, &view, behind);
-    let seen = Seen { view: &view, origin, fullness: 1.0, behind };
+    let seen = Seen { view: &view, origin, fullness: 1.0, near: 1.0, behind };
     let looks = subject::looks(world);
     let projection = frame.view(&view).projection([64, 36]);
     let plan = blade_plan::plan(world, &seen, &looks, &projection, false).swap_remove(0).expect("a stand of blades");
@@ -224,7 +224,7 @@ pub(crate) fn room_ends(gpu: &Gpu) -> Verdict {
     let world = World::new(Scene::parse(text, "room.ron")?, &sward::model::NoAssets)?;
     let view = world.camera();
     let (frame, origin) = Frame::of(&world, &view, 0.0);
-    let seen = Seen { view: &view, origin, fullness: 1.0, behind: 0.0 };
+    let seen = Seen { view: &view, origin, fullness: 1.0, near: 1.0, behind: 0.0 };
     let looks = subject::looks(&world);
     let mut plan =
         blade_plan::plan(&world, &seen, &looks, &frame.view(&view).projection([64, 36]), false).swap_remove(0).ok_or("blades")?;

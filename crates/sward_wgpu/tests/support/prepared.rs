@@ -20,7 +20,7 @@ use crate::kernels::judge;
 fn on_cpu(world: &World, behind: f64) -> [Vec<f32>; 2] {
     let (view, looks) = (world.camera_before(behind), subject::looks(world));
     let (_, origin) = Frame::of(world, &view, behind);
-    let seen = Seen { view: &view, origin, fullness: 1.0, behind };
+    let seen = Seen { view: &view, origin, fullness: 1.0, near: 1.0, behind };
     let (stand, state) = (&world.model.stands[0], &world.state.stands[0]);
     let (plans, fullness) = plan::plan(world, 0, &seen, &looks[0], world.scene.budget.visible_plants);
     let seen = Seen { fullness, ..seen };

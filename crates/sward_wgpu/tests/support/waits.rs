@@ -60,7 +60,7 @@ pub(crate) fn nobody_waits(gpu: &Gpu) -> Verdict {
     // And in two halves; a step in between would not have been asked for.
     let mut download = step.begin_download(gpu, &world);
     looks += until(|| step.arrived(gpu, &mut download))?;
-    let emptied = std::mem::replace(&mut world.state.stands[0].cells.now, Vec::new());
+    let emptied = std::mem::take(&mut world.state.stands[0].cells.now);
     step.finish_download(gpu, &mut world, download)?;
     println!("{looks} looks in {STEPS} steps");
     ensure(!emptied.is_empty() && world.hash() == reference.hash(), || "two halves brought other cells".to_owned())?;
