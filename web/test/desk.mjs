@@ -5,7 +5,7 @@ import { join } from "node:path";
 
 const SIZE = { width: 1000, height: 640 };
 // Longest wait for a state, ms: a software device on a busy machine.
-const PATIENCE = 90_000;
+const PATIENCE = 240_000;
 // WebGPU, the surfaces it draws on, and the browser's own drawing, all on Chromium's software driver; a picture may take long there.
 const DEVICE = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan", "--use-vulkan=swiftshader",
   "--use-angle=swiftshader", "--disable-gpu-watchdog"];

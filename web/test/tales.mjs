@@ -1,7 +1,16 @@
-// What people do on the page. Two steps a picture, few pixels: the same on every machine.
+// What people do on the page. So many steps a picture, few pixels: the same on every machine.
 import { ensure } from "./desk.mjs";
 
-const USUAL = "steps=2&pixels=0.3&cpu";
+const USUAL = "steps=8&pixels=0.2&cpu";
+// Few plants: a software device draws it soon.
+const YARD = `(
+    version: 1,
+    field: (patch_side: 8, patches: (5, 5)),
+    stands: [(species: Meadow, cells: 32)],
+    interactors: [(name: "ball", shape: Sphere(radius: 0.4), path: Still(at: (-3, 2)))],
+    camera: (eye: (0, 2.2, -9), target: (0, 0.5, 0)),
+)
+`;
 const PHONE = { width: 420, height: 760 };
 
 const length = (vector) => Math.hypot(...(vector ?? [0, 0]));
@@ -54,13 +63,15 @@ async function drive(desk, name) {
 }
 
 export async function truck(open) {
-  await drive(await open(`scene=hello&${USUAL}`), "truck");
+  await drive(await open("scene=hello&steps=20&pixels=0.2&cpu"), "truck");
 }
 
 // A preset and a dragged number change how far plants lean; undo takes it back.
 export async function sliders(open) {
-  const desk = await open(`scene=reed&${USUAL}`);
+  const desk = await open(`scene=lawn&${USUAL}`);
   await desk.wait("the scene", (now) => now.step > 0);
+  await desk.drop("yard.ron", YARD);
+  await desk.wait("the yard", (now) => now.bodies[0]?.name === "ball");
   await desk.key("t");
   const [x, y] = await desk.place("picture");
   await desk.clickAt([x, y + 90]);

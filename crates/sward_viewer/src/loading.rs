@@ -32,13 +32,13 @@ impl Loading {
         let (tell, answer) = channel();
         let changed = matches!(what, What::Changed(..));
         let (means, source) = (means.clone(), from.0.clone());
-        elsewhere(move || {
+        elsewhere(async move || {
             let opened = match what {
-                What::Source => {
-                    let stage = from.0.scene().and_then(|scene| Stage::new(&means, from, scene, backend));
-                    stage.map(|stage| Changed::Anew(Box::new(stage)))
-                }
-                What::Changed(here, running) => Stage::changed(&means, from, running.as_deref(), here.0, here.1, backend),
+                What::Source => match from.0.scene() {
+                    Ok(scene) => Stage::new(&means, from, scene, backend).await.map(|stage| Changed::Anew(Box::new(stage))),
+                    Err(problem) => Err(problem),
+                },
+                What::Changed(here, running) => Stage::changed(&means, from, running.as_deref(), here.0, here.1, backend).await,
             };
             // Nobody waits any more if another scene was asked for.
             let _ = tell.send(opened);
@@ -58,12 +58,21 @@ impl Loading {
 }
 
 #[cfg(not(target_arch = "wasm32"))]
-fn elsewhere(work: impl FnOnce() + Send + 'static) {
-    std::thread::spawn(work);
+fn elsewhere<F: Future<Output = ()>>(work: impl FnOnce() -> F + Send + 'static) {
+    std::thread::spawn(|| pollster::block_on(work()));
 }
 
-/// A page has one thread.
+/// A page has one thread: pictures come between the parts of the work.
 #[cfg(target_arch = "wasm32")]
-fn elsewhere(work: impl FnOnce() + 'static) {
-    work();
+fn elsewhere<F: Future<Output = ()> + 'static>(work: impl FnOnce() -> F + 'static) {
+    wasm_bindgen_futures::spawn_local(async {
+        breathe().await;
+        work().await;
+    });
+}
+
+/// Lets a page answer, and show a picture, between two parts of long work; elsewhere nothing waits for it.
+pub async fn breathe() {
+    #[cfg(target_arch = "wasm32")]
+    crate::page::breathe().await;
 }

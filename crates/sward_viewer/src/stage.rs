@@ -13,6 +13,7 @@ use sward_wgpu::stopwatch::Stopwatch;
 use web_time::Instant;
 
 use crate::clock::Passing;
+use crate::loading::breathe;
 use crate::pace::Pace;
 use crate::painter::{Means, Painter, Shown};
 use crate::source::{Painted, Source};
@@ -113,11 +114,11 @@ impl Stage {
     ///
     /// # Errors
     /// What is wrong with the scene, or what the device reports, in plain words.
-    pub fn new(means: &Means, (source, painted): From, scene: Scene, backend: Backend) -> Result<Self, String> {
+    pub async fn new(means: &Means, (source, painted): From, scene: Scene, backend: Backend) -> Result<Self, String> {
         let begun = Instant::now();
         let world = World::new(scene.clone(), &*source.assets(painted.clone())).map_err(|error| source.located(error))?;
         let took = begun.elapsed().as_secs_f64() * 1e3;
-        Ok(Self { adopted: took, ..Self::of(means, (source, painted), scene, world, backend)? })
+        Ok(Self { adopted: took, ..Self::of(means, (source, painted), scene, world, backend).await? })
     }
 
     /// A changed scene that goes on from where `world` is; takes as long, and may run anywhere. `scene` is as its author wrote it. What draws `running` is
@@ -125,7 +126,7 @@ impl Stage {
     ///
     /// # Errors
     /// As [`Stage::new`].
-    pub fn changed(
+    pub async fn changed(
         means: &Means,
         (source, painted): From,
         running: Option<&Scene>,
@@ -139,7 +140,7 @@ impl Stage {
             return Ok(Changed::Kept(Box::new((scene, world))));
         }
         let took = begun.elapsed().as_secs_f64() * 1e3;
-        let stage = Self::of(means, (source, painted), scene, world, backend)?;
+        let stage = Self::of(means, (source, painted), scene, world, backend).await?;
         Ok(Changed::Anew(Box::new(Self { adopted: took, ..stage })))
     }
 
@@ -155,7 +156,8 @@ impl Stage {
         self.step_on(backend).map(|_| ())
     }
 
-    fn of(means: &Means, (source, painted): From, scene: Scene, world: World, backend: Backend) -> Result<Self, String> {
+    async fn of(means: &Means, (source, painted): From, scene: Scene, world: World, backend: Backend) -> Result<Self, String> {
+        breathe().await;
         let painter = Painter::new(means, &world)?;
         let [opened, edited, running] = [scene.clone(), scene.clone(), scene];
         let mut stage = Self {
@@ -173,6 +175,7 @@ impl Stage {
             adopted: 0.0,
             stale: false,
         };
+        breathe().await;
         stage.step_on(backend)?;
         Ok(stage)
     }

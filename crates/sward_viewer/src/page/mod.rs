@@ -49,7 +49,7 @@ async fn begin(address: Address) -> Result<(), String> {
         }
         fresh_canvas()?;
     }
-    plain::run(canvas()?, address, notice.unwrap_or_default())
+    plain::run(canvas()?, address, notice.unwrap_or_default()).await
 }
 
 /// How the page begins.
@@ -77,6 +77,16 @@ async fn run(canvas: web_sys::HtmlCanvasElement, renderer: eframe::Renderer, set
     let _ = canvas.focus();
     watch(move || runner.panic_summary().map(|summary| summary.message()));
     Ok(())
+}
+
+/// Lets the browser answer, and show a picture.
+pub async fn breathe() {
+    let later = js_sys::Promise::new(&mut |resolve, _| {
+        if let Some(window) = web_sys::window() {
+            let _ = window.set_timeout_with_callback(&resolve);
+        }
+    });
+    let _ = wasm_bindgen_futures::JsFuture::from(later).await;
 }
 
 /// What a browser throws, in words.

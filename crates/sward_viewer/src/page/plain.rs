@@ -14,9 +14,10 @@ use crate::address::Address;
 use crate::camera::{Camera, Kind};
 use crate::clock::Clock;
 use crate::drive::{Asked, Drive, Vehicle};
+use crate::loading::{Loading, What};
 use crate::painter::{Means, Shown};
 use crate::source::Source;
-use crate::stage::{Backend, Move, Stage};
+use crate::stage::{Backend, Changed, Move, Stage};
 use crate::status::{Body, Status};
 use crate::timing::Times;
 
@@ -30,6 +31,7 @@ struct Play {
     surface: CanvasRenderingContext2d,
     source: Source,
     stage: Stage,
+    loading: Option<Loading>,
     clock: Clock,
     camera: Camera,
     chosen: usize,
@@ -44,13 +46,14 @@ struct Play {
 }
 
 /// Shows the picture from now on.
-pub(super) fn run(canvas: HtmlCanvasElement, address: Address, notice: String) -> Result<(), String> {
+pub(super) async fn run(canvas: HtmlCanvasElement, address: Address, notice: String) -> Result<(), String> {
     let source = address.scene.unwrap_or_else(|| Source::named("hello"));
     let surface = canvas.get_context("2d").ok().flatten().and_then(|surface| surface.dyn_into().ok());
     let play = Play {
         surface: surface.ok_or("this browser gives no canvas at all")?,
         canvas,
-        stage: opened(&source)?,
+        stage: Stage::new(&Means::Processor, (source.clone(), None), source.scene()?, Backend::Cpu).await?,
+        loading: None,
         source,
         clock: Clock { fixed: address.steps, ..Clock::default() },
         camera: Camera::default(),
@@ -69,10 +72,6 @@ pub(super) fn run(canvas: HtmlCanvasElement, address: Address, notice: String) -
     listen(&play).ok_or("this browser tells of no keys")?;
     go_on(play);
     Ok(())
-}
-
-fn opened(source: &Source) -> Result<Stage, String> {
-    Stage::new(&Means::Processor, (source.clone(), None), source.scene()?, Backend::Cpu)
 }
 
 /// Hears keys.
@@ -122,10 +121,9 @@ impl Play {
                     let bodies = self.stage.world.scene.interactors.len().max(1);
                     (self.chosen, self.drive) = ((self.chosen + 1) % bodies, None);
                 }
-                "KeyR" => match opened(&self.source) {
-                    Ok(stage) => (self.stage, self.drive) = (stage, None),
-                    Err(problem) => self.problem = Some(problem),
-                },
+                "KeyR" => {
+                    self.loading = Some(Loading::begin(&Means::Processor, (self.source.clone(), None), What::Source, Backend::Cpu, || ()));
+                }
                 _ => {}
             }
         }
@@ -160,6 +158,14 @@ impl Play {
 
     /// Lets time pass, and draws.
     fn picture(&mut self) {
+        if let Some(answer) = self.loading.as_ref().and_then(Loading::poll) {
+            self.loading = None;
+            match answer {
+                Ok(Changed::Anew(stage)) => (self.stage, self.drive) = (*stage, None),
+                Ok(Changed::Kept(_)) => {}
+                Err(problem) => self.problem = Some(problem),
+            }
+        }
         let seconds = self.before.elapsed().as_secs_f64();
         self.before = Instant::now();
         let (asked, mut times) = (self.asked(), Times::default());
