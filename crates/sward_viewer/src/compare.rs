@@ -50,7 +50,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_scene_of_grass_can_be_seen_with_every_response() {
+    fn every_scene_of_grass_can_be_seen_with_every_response_it_has_room_for() {
+        let mut refused = Vec::new();
         for shipped in
             sward_scenes::SHIPPED.iter().filter(|shipped| ["hello", "blades", "stamp", "footsteps", "grassland"].contains(&shipped.name))
         {
@@ -58,10 +59,14 @@ mod tests {
             for (index, (name, _)) in RESPONSES.iter().enumerate() {
                 let other = with_response(&scene, index);
                 assert_eq!(names(&other), *name, "{}", shipped.name);
-                let built = World::new(other, &sward_scenes::Embedded);
-                assert!(built.is_ok(), "{} {name}: {:?}", shipped.name, built.err());
+                if let Err(error) = World::new(other, &sward_scenes::Embedded) {
+                    refused.push((shipped.name, *name, error.to_string()));
+                }
             }
         }
+        // Its lawn is so fine that not every blade can have a state of its own, and that is told.
+        let [("footsteps", "chain", words)] = &refused[..] else { panic!("{refused:?}") };
+        assert!(words.contains("can have a state"), "{words}");
     }
 
     #[test]

@@ -179,6 +179,8 @@ impl Viewer {
         if settings.status.is_some() {
             marks::begin(&context.egui_ctx);
         }
+        // Pictures look best among dark things.
+        context.egui_ctx.set_theme(eframe::egui::Theme::Dark);
         // Where pictures take long, so does a click.
         context.egui_ctx.options_mut(|options| options.input_options.max_click_duration = 30.0);
         let mut viewer = Self {

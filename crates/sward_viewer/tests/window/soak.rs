@@ -33,23 +33,23 @@ fn play(name: &str, seconds: u64, environment: &[(&str, &str)]) -> Result<Vec<(f
     let environment = [&[("RUST_LOG", "warn,sward_viewer=info")], environment].concat();
     let mut desk = Desk::open(name, &[&*scenes("hello")?, "--steps", "2", "--pixels", "0.25", "--cpu"], &environment)?;
     desk.key("e")?;
+    // In circles: the same ground again and again.
     desk.hold("w", true)?;
+    desk.hold("a", true)?;
     let begun = Instant::now();
     let (mut samples, mut turn) = (Vec::new(), 0);
     while begun.elapsed() < Duration::from_secs(seconds) {
         std::thread::sleep(Duration::from_millis(500));
         turn += 1;
         match turn % 24 {
-            4 => desk.hold("a", true)?,
-            8 => desk.hold("a", false)?,
-            12 => desk.key("c")?,
-            16 => desk.hold("d", true)?,
-            20 => desk.hold("d", false)?,
+            8 => desk.key("c")?,
+            16 => desk.key("space")?,
             _ => {}
         }
         samples.extend(desk.memory().map(|memory| (begun.elapsed().as_secs_f64(), memory as f64)));
     }
     desk.hold("w", false)?;
+    desk.hold("a", false)?;
     desk.shot(name)?;
     let now = desk.pictures(2)?;
     println!("{name}: {seconds} s, {} pictures, {} steps", now["pictures"], now["step"]);

@@ -67,7 +67,8 @@ pub(crate) fn drive() -> Result<(), Failed> {
 
 /// A dragged number and a preset change how far plants lean; undo takes it back.
 pub(crate) fn sliders() -> Result<(), Failed> {
-    let mut desk = open("sliders", "reed")?;
+    // Plants take a while to settle: more steps a picture.
+    let mut desk = Desk::open("sliders", &[&*scenes("reed")?, "--steps", "8", "--pixels", "0.3", "--cpu"], &[])?;
     desk.key("t")?;
     let middle = desk.place("picture")?;
     desk.click_at([middle[0], middle[1] + 120])?;
