@@ -196,8 +196,12 @@ impl Stage {
     pub fn ready(&mut self) -> Result<bool, String> {
         match &mut self.on_gpu {
             Some(on_gpu) if !on_gpu.patient => {
-                let brought = on_gpu.fetching.is_none() || on_gpu.bring(&mut self.world).map_err(|error| error.to_string())?;
-                Ok(brought && on_gpu.step.ready(&on_gpu.gpu))
+                if on_gpu.fetching.is_some() {
+                    // Whoever asked for the cells sees them before the next step makes them old.
+                    on_gpu.bring(&mut self.world).map_err(|error| error.to_string())?;
+                    return Ok(false);
+                }
+                Ok(on_gpu.step.ready(&on_gpu.gpu))
             }
             _ => Ok(true),
         }

@@ -58,6 +58,13 @@ pub struct Overlays {
     rates: Rates,
     /// What the last picture said of each, in words.
     pub said: Vec<(Kind, String)>,
+    /// What was drawn last over each half.
+    drawn: [Vec<egui::epaint::ClippedShape>; 2],
+}
+
+/// Asks a painter's layer of what is drawn on it.
+fn shapes<T: Default>(painter: &egui::Painter, ask: impl FnOnce(&egui::layers::PaintList) -> T) -> T {
+    painter.ctx().graphics(|graphics| graphics.get(painter.layer_id()).map(ask)).unwrap_or_default()
 }
 
 /// Where plants are looked at one by one: around a point (x, z), m.
@@ -83,10 +90,13 @@ impl Overlays {
     /// Shows one, or no longer.
     pub fn toggle(&mut self, kind: Kind) {
         self.shown ^= kind.bit();
+        self.said.clear();
+        self.drawn = Default::default();
     }
 
-    /// Draws what is looked at over the picture.
-    pub fn draw(&mut self, painter: &egui::Painter, sight: &Sight, world: &World, closely: Closely) {
+    /// Draws what is looked at over half 0 or 1 of the picture.
+    pub fn draw(&mut self, painter: &egui::Painter, half: usize, sight: &Sight, world: &World, closely: Closely) {
+        let begun = shapes(painter, |list| list.next_idx().0);
         self.said.clear();
         for (kind, ..) in Kind::ALL.into_iter().filter(|(kind, ..)| self.shown & kind.bit() > 0) {
             let said = match kind {
@@ -101,6 +111,14 @@ impl Overlays {
             self.said.push((kind, said));
         }
         self.legend(painter, sight.area());
+        self.drawn[half] = shapes(painter, |list| list.all_entries().skip(begun).cloned().collect());
+    }
+
+    /// Draws once more what was drawn last: while cells are on their way, nothing newer is known.
+    pub fn again(&self, painter: &egui::Painter, half: usize) {
+        self.drawn[half].iter().for_each(|drawn| {
+            painter.with_clip_rect(drawn.clip_rect).add(drawn.shape.clone());
+        });
     }
 
     /// What colours mean, and the largest that was found.

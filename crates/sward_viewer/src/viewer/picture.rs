@@ -80,13 +80,13 @@ impl Viewer {
             bodies(ui, &stage.world, &Sight::new(&stage.world.camera(), halves[0]));
         }
         let stages = self.stage.iter_mut().chain(&mut self.beside.stage);
-        for (stage, half) in stages.zip(halves) {
+        for (index, (stage, half)) in stages.zip(halves).enumerate() {
             let sight = Sight::new(&stage.world.camera(), *half);
             let painter = ui.painter_at(*half);
             if self.overlays.any() {
                 match stage.bring() {
-                    Ok(true) => self.overlays.draw(&painter, &sight, &stage.world, Closely { at: middle, radius: CLOSELY }),
-                    Ok(false) => {}
+                    Ok(true) => self.overlays.draw(&painter, index, &sight, &stage.world, Closely { at: middle, radius: CLOSELY }),
+                    Ok(false) => self.overlays.again(&painter, index),
                     Err(problem) => self.problem = Some(problem),
                 }
             }
