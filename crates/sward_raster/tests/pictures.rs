@@ -24,6 +24,27 @@ fn hash(world: &World, threads: usize) -> u64 {
     picture.rgba8.iter().fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
+/// A sparse picture shows the same light and colours with fewer plants; with a share of 1 it is the usual one, bit for bit.
+#[test]
+fn sparse_pictures_look_alike() {
+    for response in ["Continuum()", "Chain()"] {
+        let representation = if response == "Chain()" { "Blade()" } else { "Billboard()" };
+        let text = format!(
+            "(version: 1, stands: [(species: Meadow, response: {response}, representation: {representation})], budget: (patches: 9, focus_distance: 0))"
+        );
+        let world = world(&text, 0);
+        let draw = |near: Option<f64>| near.into_iter().fold(Studio::new(&world), Studio::sparse).draw(&world, [160, 90]).rgba8;
+        let (usual, same, sparse) = (draw(None), draw(Some(1.0)), draw(Some(0.2)));
+        assert!(usual == same, "{response}");
+        let changed = usual.iter().zip(&sparse).filter(|(a, b)| a.abs_diff(**b) > 8).count();
+        assert!(changed > usual.len() / 50, "control: {response}: {changed} values change");
+        let mean = |picture: &[u8]| picture.iter().map(|value| f64::from(*value)).sum::<f64>() / picture.len() as f64;
+        let (usual, sparse) = (mean(&usual), mean(&sparse));
+        println!("{response}: mean {usual:.1}, sparse {sparse:.1}");
+        assert!((usual - sparse).abs() < 6.0, "{response}: mean {usual} became {sparse}");
+    }
+}
+
 /// The same camera, blades thinned out for it and for one a centimetre on: hardly a pixel changes. Control: a metre on, as
 /// where densities are decided for whole patches. What a hard border does to single blades is tested in the core (`nothing_pops`).
 #[test]
