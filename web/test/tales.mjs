@@ -1,4 +1,5 @@
 // What people do on the page. So many steps a picture, few pixels: the same on every machine.
+import { stat } from "node:fs/promises";
 import { ensure } from "./desk.mjs";
 
 const USUAL = "steps=8&pixels=0.2&cpu";
@@ -191,6 +192,23 @@ export async function fingers(open) {
   await desk.touch();
   const { speed } = (await desk.steps(120)).wheel;
   ensure(wheel.speed > 2 && speed < wheel.speed + 1, `it rolls out: ${wheel.speed} ${speed}`);
+}
+
+// F9 begins a clip of the page and ends it; the browser saves it.
+export async function clip(open) {
+  const desk = await open("scene=lawn&steps=2", { kind: "webgl" });
+  await desk.wait("the scene", (now) => now.step > 0);
+  await desk.key("F9");
+  await desk.steps(20);
+  const saved = desk.page.waitForEvent("download", { timeout: 60_000 });
+  await desk.key("F9");
+  const file = await saved;
+  ensure(/^lawn\.(mp4|webm)$/.test(file.suggestedFilename()), file.suggestedFilename());
+  const { size } = await stat(await file.path());
+  ensure(size > 5000, `the clip is ${size} bytes long`);
+  const now = await desk.now();
+  ensure(now.problem === null && now.notice.includes(file.suggestedFilename()), `${now.problem} ${now.notice}`);
+  console.log(`  ${file.suggestedFilename()}: ${size} bytes`);
 }
 
 // Neither WebGPU nor WebGL: the picture alone, with the same keys.
