@@ -1,7 +1,7 @@
 //! Pictures of clumps with their smaller copies, and how they are read: bilinear, and linear between levels, clamped at the rim.
 
 use sward::math::clamped;
-use sward::shading::clump::{Kind, LEVELS, VARIANTS, first_layer, paint};
+use sward::shading::clump::{Kind, LEVELS, VARIANTS, first_layer, painted};
 use sward::shading::look::Look;
 
 /// One level of one picture; alpha apart, since most places of a card are empty.
@@ -62,8 +62,8 @@ pub(crate) struct Clump {
 
 impl Clump {
     fn new(kind: Kind, variant: u32) -> Self {
-        let texels = |bytes: &Vec<u8>| bytes.chunks_exact(4).map(|texel| [texel[0], texel[1], texel[2], texel[3]]).collect();
-        Self { levels: paint(kind, variant).levels().iter().map(|bytes| Level::new(texels(bytes))).collect() }
+        let texels = |bytes: &Vec<u8>| bytes.as_chunks::<4>().0.to_vec();
+        Self { levels: painted(kind, variant).levels.iter().map(|bytes| Level::new(texels(bytes))).collect() }
     }
 
     /// How the picture is read at a level, 0 the finest.

@@ -4,6 +4,8 @@
 //! blade faces (0 = 75° to the card's left, 255 = 75° to its right), A coverage. Row 0 is the top of the card.
 //! Every picture is a pure function of kind and variant.
 
+pub use super::clump_levels::{Painted, painted};
+
 /// Texels along each side of a clump picture.
 pub const SIDE: usize = 256;
 /// Pictures per kind.

@@ -1,9 +1,30 @@
 //! Smaller copies of a clump picture that stay as dense as the original.
 
-use super::clump::Clump;
+use std::sync::OnceLock;
+
+use super::clump::{Clump, KINDS, Kind, VARIANTS, first_layer, paint};
 
 /// Alpha at which a texel counts as covered.
 const CUTOFF: u8 = 128;
+
+/// What is drawn of a clump.
+#[derive(Debug)]
+pub struct Painted {
+    /// Its [`Clump::levels`].
+    pub levels: Vec<Vec<u8>>,
+    /// Its [`Clump::mean`].
+    pub mean: [f32; 4],
+}
+
+/// A clump as it is drawn; painted when it is first asked for, and kept while the program runs. Of `variant` the remainder by [`VARIANTS`] counts.
+pub fn painted(kind: Kind, variant: u32) -> &'static Painted {
+    static ALL: [OnceLock<Painted>; KINDS.len() * VARIANTS as usize] = [const { OnceLock::new() }; KINDS.len() * VARIANTS as usize];
+    let variant = variant % VARIANTS;
+    ALL[(first_layer(kind) + variant) as usize].get_or_init(|| {
+        let clump = paint(kind, variant);
+        Painted { levels: clump.levels(), mean: clump.mean() }
+    })
+}
 
 impl Clump {
     /// The picture and its smaller copies down to 1 × 1, as bytes.

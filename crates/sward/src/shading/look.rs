@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use super::clump::{Kind, VARIANTS, first_layer, paint};
+use super::clump::{Kind, VARIANTS, first_layer, painted};
 
 /// How a species looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,7 +97,7 @@ impl Turf {
         let mut turf = Self { root: [0.0; 4], tip: [0.0; 4], mean: [0.0; 4] };
         for look in looks {
             let share = look.cover() / all;
-            let mean = paint(look.kind, 0).mean();
+            let mean = painted(look.kind, 0).mean;
             let root = [look.root[0], look.root[1], look.root[2], (look.dryness + mean[1]).min(1.0)];
             let tip = [look.tip[0], look.tip[1], look.tip[2], look.through];
             for k in 0..4 {

@@ -1,6 +1,7 @@
 //! All clump pictures as one texture array with mip levels.
 
-use sward::shading::clump::{KINDS, LEVELS, SIDE, VARIANTS, paint};
+use sward::shading::clump::{KINDS, LEVELS, SIDE, VARIANTS, first_layer, painted};
+use sward::shading::look::Look;
 
 use crate::gpu::Gpu;
 
@@ -11,7 +12,8 @@ pub(crate) struct ClumpTexture {
 }
 
 impl ClumpTexture {
-    pub(crate) fn new(gpu: &Gpu) -> Self {
+    /// With the pictures of the kinds that some looks have.
+    pub(crate) fn new(gpu: &Gpu, looks: &[Look]) -> Self {
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("clumps"),
             size: extent(0, KINDS.len() as u32 * VARIANTS),
@@ -22,10 +24,11 @@ impl ClumpTexture {
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        let kinds = KINDS.into_iter().flat_map(|kind| (0..VARIANTS).map(move |variant| (kind, variant)));
-        for (layer, (kind, variant)) in kinds.enumerate() {
-            for (level, bytes) in paint(kind, variant).levels().iter().enumerate() {
-                upload(gpu, &texture, layer as u32, level as u32, bytes);
+        for kind in KINDS.into_iter().filter(|kind| looks.iter().any(|look| look.kind == *kind)) {
+            for variant in 0..VARIANTS {
+                for (level, bytes) in painted(kind, variant).levels.iter().enumerate() {
+                    upload(gpu, &texture, first_layer(kind) + variant, level as u32, bytes);
+                }
             }
         }
         let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {

@@ -108,7 +108,7 @@ impl PlantPass {
             sheets: None,
             main_layout,
             shadow_layout,
-            clumps: ClumpTexture::new(gpu),
+            clumps: ClumpTexture::new(gpu, looks),
             looks: looks.to_vec(),
             surroundings: surroundings.cloned(),
             styles: HashMap::new(),
