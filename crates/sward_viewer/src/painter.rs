@@ -9,6 +9,8 @@ use sward_wgpu::gpu::Gpu;
 use sward_wgpu::stopwatch::Stopwatch;
 use sward_wgpu::studio::{CellsAt, Studio};
 
+use crate::pace::Pace;
+
 /// Most pixels of a picture that the processor draws: 240 × 135.
 const PIXELS: f32 = 32400.0;
 
@@ -24,6 +26,8 @@ pub enum Means {
         gpu: Arc<Gpu>,
         /// Whether anybody may wait for it: not in a browser.
         patient: bool,
+        /// Pictures that it has before it.
+        pace: Pace,
     },
     /// The processor alone.
     Processor,
@@ -32,7 +36,7 @@ pub enum Means {
 impl Means {
     /// A device of this machine, which may be waited for unless this is a page.
     pub fn device(gpu: Gpu) -> Self {
-        Self::Device { gpu: Arc::new(gpu), patient: !cfg!(target_arch = "wasm32") }
+        Self::Device { gpu: Arc::new(gpu), patient: !cfg!(target_arch = "wasm32"), pace: Pace::default() }
     }
 
     /// The device, if there is one.
@@ -40,6 +44,14 @@ impl Means {
         match self {
             Self::Device { gpu, .. } => Some(gpu),
             Self::Processor => None,
+        }
+    }
+
+    /// Whether another picture can be asked for; always where waiting is allowed.
+    pub fn is_free(&self) -> bool {
+        match self {
+            Self::Device { patient: false, pace, .. } => pace.is_free(),
+            _ => true,
         }
     }
 

@@ -14,7 +14,6 @@ use web_time::Instant;
 
 use crate::clock::Passing;
 use crate::loading::breathe;
-use crate::pace::Pace;
 use crate::painter::{Means, Painter, Shown};
 use crate::source::{Painted, Source};
 use crate::timing::{self, Times};
@@ -100,7 +99,6 @@ pub struct Stage {
     painter: Painter,
     on_gpu: Option<OnGpu>,
     means: Means,
-    pace: Pace,
     /// What the last picture showed: step, view, steps before it, pixels.
     drawn: Option<Moment>,
     /// Milliseconds that a change takes, as far as is known.
@@ -170,7 +168,6 @@ impl Stage {
             painter,
             on_gpu: None,
             means: means.clone(),
-            pace: Pace::default(),
             drawn: None,
             adopted: 0.0,
             stale: false,
@@ -234,7 +231,7 @@ impl Stage {
     /// What the device reports.
     pub fn step_on(&mut self, backend: Backend) -> Result<bool, String> {
         match (backend, &self.on_gpu, &self.means) {
-            (Backend::Gpu, None, Means::Device { gpu, patient }) => {
+            (Backend::Gpu, None, Means::Device { gpu, patient, .. }) => {
                 let step = GpuStep::new(gpu, &self.world).map_err(|error| error.to_string())?;
                 let (gpu, patient, now) = (Arc::clone(gpu), *patient, self.world.state.step);
                 self.on_gpu = Some(OnGpu { step, gpu, patient, fetching: None, fetched: Some(now) });
@@ -319,20 +316,18 @@ impl Stage {
         Ok(())
     }
 
-    /// Draws what `view` sees, or the scene's own camera; nothing where that is what was drawn last, or where nobody may wait for a device that has
-    /// enough to do.
+    /// Draws what `view` sees, or the scene's own camera; nothing where that is what was drawn last, or where the device is not `free`.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn draw(&mut self, view: Option<View>, behind: f64, size: [u32; 2], times: &mut Times) -> Result<Option<Shown>, String> {
+    pub fn draw(&mut self, view: Option<View>, behind: f64, size: [u32; 2], free: bool, times: &mut Times) -> Result<Option<Shown>, String> {
         self.world.viewed = view;
         let moment = (self.world.state.step, view, behind, size);
         let timed = match &self.means {
-            Means::Device { gpu, patient: true } => Some(gpu),
+            Means::Device { gpu, patient: true, .. } => Some(gpu),
             _ => None,
         };
-        let waits = self.means.gpu().is_some() && timed.is_none() && !self.pace.is_free();
-        if !self.stale && !waits && self.drawn != Some(moment) {
+        if !self.stale && free && self.drawn != Some(moment) {
             let mut before = Instant::now();
             let asked = times.asks() && times.pictures().is_multiple_of(CLOCK);
             if let (Some(stopwatch), Some(gpu)) = (self.painter.stopwatch(), timed) {
@@ -341,8 +336,8 @@ impl Stage {
             let step = self.on_gpu.as_ref().map(|on_gpu| &on_gpu.step);
             self.painter.draw(&self.means, &self.world, step, behind, size)?;
             self.drawn = Some(moment);
-            if let (Means::Device { gpu, .. }, None) = (&self.means, timed) {
-                self.pace.hand_in(&gpu.queue);
+            if let Means::Device { gpu, patient: false, pace } = &self.means {
+                pace.hand_in(&gpu.queue);
             }
             times.lap(timing::SUBMITTED, &mut before);
             if let (Some(stopwatch), Some(gpu)) = (self.painter.stopwatch(), timed) {

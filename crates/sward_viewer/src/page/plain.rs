@@ -182,7 +182,7 @@ impl Play {
         let behind = if self.clock.fixed.is_some() || self.clock.paused { 0.0 } else { self.stage.world.behind() };
         let view = self.camera.view(&self.stage.world, Some(self.chosen), seconds);
         let size = [self.canvas.client_width(), self.canvas.client_height()].map(|side| side.max(16) as u32);
-        match self.stage.draw(view, behind, size, &mut times) {
+        match self.stage.draw(view, behind, size, true, &mut times) {
             Ok(Some(Shown::Pixels(picture))) => self.put(&picture),
             Ok(_) => {}
             Err(problem) => self.problem = Some(problem),

@@ -161,12 +161,14 @@ impl Viewer {
         let followed = self.drive.map(|drive| drive.body).or(self.chosen);
         let view = self.camera.view(&stage.world, followed, seconds);
         let own = stage.world.viewed;
-        let drawn = stage.draw(view, behind, size, &mut self.times);
+        // Asked once, so that one half does not take the room of the other for ever.
+        let free = self.means.is_free();
+        let drawn = stage.draw(view, behind, size, free, &mut self.times);
         // The other half sees what this one sees, and has no keys of its own.
         let seen = view.or(own).unwrap_or_else(|| stage.world.camera_before(behind));
         self.show(context, 0, drawn);
         if let Some(beside) = &mut self.beside.stage {
-            let drawn = beside.draw(Some(seen), behind, size, &mut self.times);
+            let drawn = beside.draw(Some(seen), behind, size, free, &mut self.times);
             self.show(context, 1, drawn);
         }
     }
