@@ -11,6 +11,9 @@ const DEVICE = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "-
   "--use-angle=swiftshader", "--disable-gpu-watchdog"];
 const WITHOUT = { nothing: ["--disable-gpu", "--disable-3d-apis"], webgl: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-features=WebGPUService"] };
 
+// What tells how long each task of the page's one thread took.
+const TASKS = ["toplevel", "disabled-by-default-devtools.timeline"];
+
 export class Failure extends Error {}
 
 export function ensure(holds, words) {
@@ -19,7 +22,7 @@ export function ensure(holds, words) {
 
 export class Desk {
   // `kind`: "webgpu", "webgl" without WebGPU, or "nothing" without both.
-  static async open(address, query, folder, { kind = "webgpu", touch = false, size = SIZE } = {}) {
+  static async open(address, query, folder, { kind = "webgpu", touch = false, size = SIZE, traced = false } = {}) {
     const desk = new Desk();
     const args = ["--no-sandbox", ...(WITHOUT[kind] ?? DEVICE)];
     desk.browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--headless=new", ...args] });
@@ -31,11 +34,7 @@ export class Desk {
     desk.said = [];
     desk.page.on("console", (message) => desk.said.push(message.text()));
     desk.page.on("pageerror", (error) => desk.said.push(String(error)));
-    await desk.page.addInitScript(() => {
-      // How long the page's one thread was busy without a break.
-      window.tasks = [];
-      new PerformanceObserver((list) => window.tasks.push(...list.getEntries().map((entry) => entry.duration))).observe({ type: "longtask", buffered: true });
-    });
+    if (traced) await desk.browser.startTracing(desk.page, { categories: TASKS });
     await desk.page.goto(`${address}?status&${query}`);
     return desk;
   }
@@ -174,8 +173,12 @@ export class Desk {
     return this.differences(shot, null, area);
   }
 
-  // Milliseconds of what kept the page's thread from answering for more than 50.
+  // Of each task of a traced page's one thread: when it began, how long it took, and how long the thread itself worked in it, ms.
   async tasks() {
-    return this.page.evaluate(() => window.tasks.splice(0));
+    const { traceEvents } = JSON.parse(await this.browser.stopTracing());
+    const threads = traceEvents.filter((event) => event.name === "thread_name" && event.args.name === "CrRendererMain").map((event) => event.tid);
+    const tasks = traceEvents.filter((event) => event.name === "RunTask" && threads.includes(event.tid));
+    const first = Math.min(...tasks.map((task) => task.ts));
+    return tasks.map((task) => ({ at: (task.ts - first) / 1e3, whole: task.dur / 1e3, own: (task.tdur ?? 0) / 1e3 }));
   }
 }

@@ -1,4 +1,5 @@
 // What people do on the page: `node page.mjs [FOLDER OF SCREENSHOTS] [TALE…]`. Needs the built page (`bash web/build`) and Chromium.
+import { access } from "node:fs/promises";
 import { resolve } from "node:path";
 import { Desk, Failure } from "./desk.mjs";
 import { serve } from "./serve.mjs";
@@ -11,7 +12,12 @@ const [folder = resolve(target, "screenshots/page"), ...wanted] = process.argv.s
 const names = Object.keys(tales).filter((name) => wanted.length === 0 || wanted.includes(name));
 if (names.length === 0) throw new Failure(`no such tale; there are: ${Object.keys(tales).join(", ")}`);
 
-const server = await serve(resolve(target, "web"));
+const page = resolve(target, "web");
+await access(resolve(page, "index.html")).catch(() => {
+  console.error(`error: there is no page in ${page}; type \`bash web/build\` first`);
+  process.exit(1);
+});
+const server = await serve(page);
 let failed = 0;
 const begun = Date.now();
 for (const name of names) {

@@ -44,11 +44,15 @@ fn narrow(context: &egui::Context) -> bool {
 impl Viewer {
     /// The sides.
     pub(super) fn sides(&mut self, ui: &mut egui::Ui, wishes: &mut Vec<Wish>) {
+        // Laid out for the first time, each side takes long: one comes with each of the first pictures.
         let around = self.around.on(narrow(ui.ctx()));
+        if self.pictures == 0 {
+            return;
+        }
         if matches!(around, Around::Usual | Around::Tools) {
             egui::Panel::left("tools").resizable(true).default_size(290.0).show(ui, |ui| self.side(ui, wishes));
         }
-        if matches!(around, Around::Usual | Around::Parameters) {
+        if matches!(around, Around::Usual | Around::Parameters) && self.pictures > 1 {
             egui::Panel::right("parameters").resizable(true).default_size(330.0).show(ui, |ui| self.parameters(ui));
         }
     }

@@ -93,6 +93,8 @@ pub struct Viewer {
     queued: Option<sward::scene::Scene>,
     /// What is wrong with the last scene that was asked for, or with the device.
     problem: Option<String>,
+    /// The scene came in this pass, in which the panels are laid out anew: its first picture is drawn in the next.
+    fresh: bool,
     /// What went well.
     notice: Option<String>,
     /// One's own presets, and the name of the next one.
@@ -191,6 +193,7 @@ impl Viewer {
             loading: None,
             queued: None,
             problem: None,
+            fresh: false,
             notice: settings.notice.or(notice),
             presets: remembered.presets.clone(),
             preset_name: String::new(),

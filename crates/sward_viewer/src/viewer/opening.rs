@@ -53,7 +53,7 @@ impl Viewer {
                     }
                 }
                 self.longest = 0.0;
-                self.stage = Some(*stage);
+                (self.stage, self.fresh) = (Some(*stage), true);
                 self.next(context);
             }
             Err(problem) => {

@@ -113,6 +113,9 @@ impl Viewer {
 
     /// Lets time pass and draws.
     fn advance(&mut self, context: &egui::Context, size: [u32; 2]) {
+        if std::mem::take(&mut self.fresh) {
+            return;
+        }
         let seconds = self.before.elapsed().as_secs_f64();
         self.before = Instant::now();
         let asked = self.asked_of_all(context);
