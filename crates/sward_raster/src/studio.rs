@@ -87,9 +87,10 @@ impl Studio {
         }
     }
 
-    /// The same for small pictures that must come soon: plants grow fewer, and wider, from a `near`th (0.01 to 1) of the usual distance on.
-    pub fn sparse(self, near: f64) -> Self {
-        Self { near: near.clamp(0.01, 1.0), ..self }
+    /// From the next picture on plants grow fewer, and wider, from a `near`th (0.01 to 1) of the usual distance on: for small pictures that must come
+    /// soon. Outputs beside a picture ([`Studio::draw_aov`]) always show all.
+    pub fn thin(&mut self, near: f64) {
+        self.near = near.clamp(0.01, 1.0);
     }
 
     /// Draws the world as it stands, in `size` pixels (each side is brought into 1..=16384). Cells are read from `world.state`: where a
@@ -100,13 +101,13 @@ impl Studio {
 
     /// Draws the moment `behind` steps (0 to 1) before the state: see [`World::behind`].
     pub fn draw_before(&self, world: &World, behind: f64, size: [u32; 2]) -> Picture {
-        self.finish(world, &self.moment(world, behind, size, None))
+        self.finish(world, &self.moment(world, (behind, self.near), size, None))
     }
 
     /// Draws the world with its blades thinned out as `thinning` says: how little it changes the picture is how little pops when a camera
     /// moves.
     pub fn draw_thinned(&self, world: &World, thinning: Thinning, size: [u32; 2]) -> Picture {
-        self.finish(world, &self.moment(world, 0.0, size, Some(thinning)))
+        self.finish(world, &self.moment(world, (0.0, self.near), size, Some(thinning)))
     }
 
     fn finish(&self, world: &World, moment: &Moment) -> Picture {
@@ -118,7 +119,7 @@ impl Studio {
     /// Draws the moment `behind` steps (0 to 1) before the state, and beside the picture depth, motion and plant of each pixel. Motion
     /// leads to `past`: the moment of the picture before, or that of this one, and it is 0.
     pub fn draw_aov(&self, world: &World, past: &Past, behind: f64, size: [u32; 2]) -> (Picture, Aov) {
-        let moment = self.moment(world, behind, size, None);
+        let moment = self.moment(world, (behind, 1.0), size, None);
         let shadows = self.shadow_map(world, &moment);
         let sight = self.sight(world, &moment, &shadows);
         let layout = self.layout(&sight, &moment, world);
@@ -135,7 +136,7 @@ impl Studio {
     }
 
     /// Everything of a picture but light and shadow.
-    fn moment(&self, world: &World, behind: f64, size: [u32; 2], thinning: Option<Thinning>) -> Moment {
+    fn moment(&self, world: &World, (behind, near): (f64, f64), size: [u32; 2], thinning: Option<Thinning>) -> Moment {
         let size = size.map(|side| side.clamp(1, LARGEST_SIDE));
         let behind = behind.clamp(0.0, 1.0);
         let view = world.camera_before(behind);
@@ -147,7 +148,7 @@ impl Studio {
         let cuts = layers::plan(world, behind, size[1], &input);
         self.cuts.keep(&cuts);
         let growth = input.growth;
-        let seen = Seen { view: &view, origin, fullness: 1.0, near: self.near, behind };
+        let seen = Seen { view: &view, origin, fullness: 1.0, near, behind };
         let (plans, batches) = self.prepare(world, &seen);
         let (blade_plans, strips) = self.grow(world, &seen, &uniform, thinning.map(|thinning| thinning.within(&frame)));
         let moved: Vec<Option<Mesh>> = (0..self.mesh_of.len()).map(|body| subject::moved(world, body, behind)).collect();

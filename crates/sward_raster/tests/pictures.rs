@@ -33,7 +33,11 @@ fn sparse_pictures_look_alike() {
             "(version: 1, stands: [(species: Meadow, response: {response}, representation: {representation})], budget: (patches: 9, focus_distance: 0))"
         );
         let world = world(&text, 0);
-        let draw = |near: Option<f64>| near.into_iter().fold(Studio::new(&world), Studio::sparse).draw(&world, [160, 90]).rgba8;
+        let draw = |near: Option<f64>| {
+            let mut studio = Studio::new(&world);
+            near.into_iter().for_each(|near| studio.thin(near));
+            studio.draw(&world, [160, 90]).rgba8
+        };
         let (usual, same, sparse) = (draw(None), draw(Some(1.0)), draw(Some(0.2)));
         assert!(usual == same, "{response}");
         let changed = usual.iter().zip(&sparse).filter(|(a, b)| a.abs_diff(**b) > 8).count();

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use sward::picture::Picture;
+use sward::view::View;
 use sward::world::World;
 use sward_wgpu::compute::GpuStep;
 use sward_wgpu::gpu::Gpu;
@@ -13,9 +14,6 @@ use crate::pace::Pace;
 
 /// Most pixels of a picture that the processor draws: 240 × 135.
 const PIXELS: f32 = 32400.0;
-
-/// What such a picture needs of the distance up to which every plant is drawn.
-const NEAR: f64 = 0.2;
 
 /// What there is to draw with, and to step on.
 #[derive(Clone)]
@@ -47,6 +45,16 @@ impl Means {
         }
     }
 
+    /// What suits it: shares of the window's pixels, and of the distance up to which every plant is drawn. A `software` adapter shares the processor
+    /// with everything else.
+    pub fn usual(&self, software: bool) -> [f32; 2] {
+        match self {
+            Self::Device { .. } if software => [0.5, 0.25],
+            Self::Device { .. } => [1.0; 2],
+            Self::Processor => [1.0, 0.2],
+        }
+    }
+
     /// Whether another picture can be asked for; always where waiting is allowed.
     pub fn is_free(&self) -> bool {
         match self {
@@ -75,6 +83,19 @@ impl Means {
     }
 }
 
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shot {
+    /// From where; `None`: as the scene's own camera sees it.
+    pub view: Option<View>,
+    /// Steps, 0 to 1, before the state.
+    pub behind: f64,
+    /// Pixels.
+    pub size: [u32; 2],
+    /// Share, 0.05 to 1, of the distance up to which every plant is drawn.
+    pub near: f64,
+}
+
 /// Draws one world.
 pub enum Painter {
     /// On a device.
@@ -100,22 +121,26 @@ impl Painter {
     pub fn new(means: &Means, world: &World) -> Result<Self, String> {
         Ok(match means {
             Means::Device { gpu, .. } => Self::Device(Box::new(Studio::new(gpu, world).map_err(|error| error.to_string())?)),
-            Means::Processor => Self::Processor(Box::new(sward_raster::Studio::new(world).sparse(NEAR)), None),
+            Means::Processor => Self::Processor(Box::new(sward_raster::Studio::new(world)), None),
         })
     }
 
-    /// Draws the moment `behind` steps before the state, with cells of the device where it steps.
+    /// Draws a moment, with cells of the device where it steps.
     ///
     /// # Errors
     /// What the device reports, in plain words.
-    pub fn draw(&mut self, means: &Means, world: &World, step: Option<&GpuStep>, behind: f64, size: [u32; 2]) -> Result<(), String> {
-        let size = means.fitting(size);
+    pub fn draw(&mut self, means: &Means, world: &World, step: Option<&GpuStep>, shot: &Shot) -> Result<(), String> {
+        let (size, behind) = (means.fitting(shot.size), shot.behind);
         match (self, means) {
             (Self::Device(studio), Means::Device { gpu, .. }) => {
+                studio.thin(shot.near);
                 let cells = step.map_or(CellsAt::Cpu, CellsAt::Gpu);
                 studio.show(gpu, world, cells, behind, size).map_err(|error| error.to_string())?;
             }
-            (Self::Processor(studio, shown), _) => *shown = Some(Arc::new(studio.draw_before(world, behind, size))),
+            (Self::Processor(studio, shown), _) => {
+                studio.thin(shot.near);
+                *shown = Some(Arc::new(studio.draw_before(world, behind, size)));
+            }
             (Self::Device(_), Means::Processor) => {}
         }
         Ok(())
@@ -169,7 +194,8 @@ mod tests {
         let world = World::new(scene.expect("valid"), &sward::model::NoAssets).expect("compiles");
         let mut painter = Painter::new(&Means::Processor, &world).expect("needs nothing");
         assert!(painter.shown().is_none() && painter.read(&Means::Processor).is_err(), "control: nothing is drawn");
-        painter.draw(&Means::Processor, &world, None, 0.0, [64, 36]).expect("draws");
+        let shot = Shot { view: None, behind: 0.0, size: [64, 36], near: 0.2 };
+        painter.draw(&Means::Processor, &world, None, &shot).expect("draws");
         let picture = painter.read(&Means::Processor).expect("drawn");
         assert_eq!([picture.width, picture.height], [64, 36]);
         let first = &picture.rgba8[..4];

@@ -13,6 +13,8 @@ pub const KEY: &str = "sward";
 pub struct Remembered {
     /// Pixels drawn for each of the window's.
     pub fineness: Option<f32>,
+    /// Share of the distance up to which every plant is drawn.
+    pub near: Option<f32>,
     /// Whether cells move on the graphics device.
     pub on_gpu: bool,
     /// The scene that was open: a shipped one's name, or a file's path.

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use sward::picture::Picture;
 use sward::scene::{Driven, Path, Scene};
-use sward::view::View;
 use sward::world::World;
 use sward_wgpu::compute::GpuStep;
 use sward_wgpu::compute::download::Download;
@@ -14,7 +13,7 @@ use web_time::Instant;
 
 use crate::clock::Passing;
 use crate::loading::breathe;
-use crate::painter::{Means, Painter, Shown};
+use crate::painter::{Means, Painter, Shot, Shown};
 use crate::source::{Painted, Source};
 use crate::timing::{self, Times};
 
@@ -64,9 +63,6 @@ pub enum Changed {
     Anew(Box<Stage>),
 }
 
-/// What a picture shows: step, view, steps before it, pixels.
-type Moment = (u64, Option<View>, f64, [u32; 2]);
-
 /// Where a scene's files come from.
 pub type From = (Source, Painted);
 
@@ -99,8 +95,8 @@ pub struct Stage {
     painter: Painter,
     on_gpu: Option<OnGpu>,
     means: Means,
-    /// What the last picture showed: step, view, steps before it, pixels.
-    drawn: Option<Moment>,
+    /// The step before which the last picture was taken, and what it showed.
+    drawn: Option<(u64, Shot)>,
     /// Milliseconds that a change takes, as far as is known.
     adopted: f64,
     /// What draws no longer fits the world: another stage is on its way.
@@ -316,13 +312,13 @@ impl Stage {
         Ok(())
     }
 
-    /// Draws what `view` sees, or the scene's own camera; nothing where that is what was drawn last, or where the device is not `free`.
+    /// Draws; nothing where that is what was drawn last, or where the device is not `free`.
     ///
     /// # Errors
     /// What the device reports.
-    pub fn draw(&mut self, view: Option<View>, behind: f64, size: [u32; 2], free: bool, times: &mut Times) -> Result<Option<Shown>, String> {
-        self.world.viewed = view;
-        let moment = (self.world.state.step, view, behind, size);
+    pub fn draw(&mut self, shot: Shot, free: bool, times: &mut Times) -> Result<Option<Shown>, String> {
+        self.world.viewed = shot.view;
+        let moment = (self.world.state.step, shot);
         let timed = match &self.means {
             Means::Device { gpu, patient: true, .. } => Some(gpu),
             _ => None,
@@ -334,7 +330,7 @@ impl Stage {
                 *stopwatch = if asked { Stopwatch::new(gpu) } else { None };
             }
             let step = self.on_gpu.as_ref().map(|on_gpu| &on_gpu.step);
-            self.painter.draw(&self.means, &self.world, step, behind, size)?;
+            self.painter.draw(&self.means, &self.world, step, &shot)?;
             self.drawn = Some(moment);
             if let Means::Device { gpu, patient: false, pace } = &self.means {
                 pace.hand_in(&gpu.queue);

@@ -30,6 +30,9 @@ struct Arguments {
     /// Pixels drawn for each of the window's, 0.2 to 1
     #[arg(long, value_name = "SHARE")]
     pixels: Option<f32>,
+    /// Of the distance up to which every plant is drawn, so much, 0.05 to 1; beyond it fewer and wider ones stand for all
+    #[arg(long, value_name = "SHARE")]
+    plants: Option<f32>,
     /// Width and height of the window; without it, those of last time
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[f32; 2]>,
@@ -57,6 +60,7 @@ pub(crate) fn open() -> ExitCode {
         steps: arguments.steps,
         size: arguments.size,
         fineness: arguments.pixels,
+        near: arguments.plants,
         status: arguments.status.map(Log::new),
         backend: arguments.gpu.then_some(Backend::Gpu).or(arguments.cpu.then_some(Backend::Cpu)),
         raster: arguments.raster,

@@ -59,6 +59,8 @@ pub struct Studio {
     waves: Vec<WaveUpload>,
     /// The picture before; where outputs beside pictures are asked for.
     past: Option<KeptPast>,
+    /// Share of the distance up to which every plant is drawn.
+    near: f64,
 }
 
 /// A picture's moment, made ready.
@@ -97,9 +99,15 @@ impl Studio {
         let solve = world.model.stands.iter().any(|stand| stand.species.blade.is_some()).then(|| SolvePass::new(gpu));
         let blades = world.model.stands.iter().map(|_| BladeBuffers::default()).collect();
         let prepare = PreparePass::new(gpu, world);
-        let studio = Self { renderer, prepare, looks, meshes, batches, solve, blades, growth, uploaded, waves, past: None };
+        let studio = Self { renderer, prepare, looks, meshes, batches, solve, blades, growth, uploaded, waves, past: None, near: 1.0 };
         gpu.check()?;
         Ok(studio)
+    }
+
+    /// From the next picture on plants grow fewer, and wider, from a `near`th (0.01 to 1) of the usual distance on: for slow devices. Outputs beside a
+    /// picture ([`Studio::draw_aov`]) always show all.
+    pub fn thin(&mut self, near: f64) {
+        self.near = near.clamp(0.01, 1.0);
     }
 
     /// Draws the world as it stands, in `size` pixels.
@@ -126,7 +134,7 @@ impl Studio {
     pub fn show(&mut self, gpu: &Gpu, world: &World, cells: CellsAt<'_>, behind: f64, size: [u32; 2]) -> Result<(), GpuError> {
         gpu.check()?;
         let size = picture::fitting(gpu, size);
-        let ready = self.ready(gpu, world, &cells, behind, size, false)?;
+        let ready = self.ready(gpu, world, &cells, (behind, self.near), size, false)?;
         let bodies = subject::bodies(world, &ready.frame, &self.meshes);
         let input = ready.frame.input(world, &ready.view, &bodies);
         let (cuts, waves) = self.layers(gpu, world, &cells, behind, size, &input);
@@ -169,7 +177,7 @@ impl Studio {
             Some(past) => past,
             None => KeptPast::new(gpu, world, &cells, behind)?,
         };
-        let ready = self.ready(gpu, world, &cells, behind, size, true)?;
+        let ready = self.ready(gpu, world, &cells, (behind, 1.0), size, true)?;
         let bodies = subject::bodies(world, &ready.frame, &self.meshes);
         let input = ready.frame.input(world, &ready.view, &bodies);
         past.prepare(gpu, &self.prepare, ready.origin, &world.model.terrain, &ready.plans, &self.growth);
@@ -212,7 +220,15 @@ impl Studio {
     }
 
     /// Brings cells, bodies and plants to the moment of a picture of `size` pixels; `then`: with room for the picture before.
-    fn ready(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>, behind: f64, size: [u32; 2], then: bool) -> Result<Ready, GpuError> {
+    fn ready(
+        &mut self,
+        gpu: &Gpu,
+        world: &World,
+        cells: &CellsAt<'_>,
+        (behind, near): (f64, f64),
+        size: [u32; 2],
+        then: bool,
+    ) -> Result<Ready, GpuError> {
         if matches!(cells, CellsAt::Cpu) {
             for ((buffers, state), stand) in self.uploaded.iter_mut().zip(&world.state.stands).zip(&world.model.stands) {
                 buffers.reserve(gpu, state, !stand.stores_ground(&world.model.terrain))?;
@@ -224,7 +240,7 @@ impl Studio {
         self.pose_figures(gpu, world, behind);
         let view = world.camera_before(behind);
         let (frame, origin) = Frame::of(world, &view, behind);
-        let seen = Seen { view: &view, origin, fullness: 1.0, near: 1.0, behind };
+        let seen = Seen { view: &view, origin, fullness: 1.0, near, behind };
         let projection = frame.view(&view).projection(size);
         let mut blades = blade_plan::plan(world, &seen, &self.looks, &projection, then);
         let plans = self.prepare_plants(gpu, world, cells, &seen, &mut blades);

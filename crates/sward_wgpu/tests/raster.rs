@@ -8,6 +8,7 @@ mod rastered;
 fn main() -> std::process::ExitCode {
     let tests: &[adapter::Test] = &[
         ("hello", rastered::hello),
+        ("sparse", rastered::sparse),
         ("lawn", rastered::lawn),
         ("reed", rastered::reed),
         ("crossing", rastered::crossing),

@@ -58,6 +58,7 @@ fn settings(address: &Address, notice: Option<String>) -> Settings {
         scene: address.scene.clone(),
         steps: address.steps,
         fineness: address.pixels,
+        near: address.plants,
         status: address.status.then_some(Log::Page),
         backend: address.backend,
         notice: Some([notice, address.problem.clone()].into_iter().flatten().collect::<Vec<_>>().join("\n"))

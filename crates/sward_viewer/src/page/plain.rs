@@ -15,7 +15,7 @@ use crate::camera::{Camera, Kind};
 use crate::clock::Clock;
 use crate::drive::{Asked, Drive, Vehicle};
 use crate::loading::{Loading, What};
-use crate::painter::{Means, Shown};
+use crate::painter::{Means, Shot, Shown};
 use crate::source::Source;
 use crate::stage::{Backend, Changed, Move, Stage};
 use crate::status::{Body, Status};
@@ -182,7 +182,8 @@ impl Play {
         let behind = if self.clock.fixed.is_some() || self.clock.paused { 0.0 } else { self.stage.world.behind() };
         let view = self.camera.view(&self.stage.world, Some(self.chosen), seconds);
         let size = [self.canvas.client_width(), self.canvas.client_height()].map(|side| side.max(16) as u32);
-        match self.stage.draw(view, behind, size, true, &mut times) {
+        let near = Means::Processor.usual(true)[1].into();
+        match self.stage.draw(Shot { view, behind, size, near }, true, &mut times) {
             Ok(Some(Shown::Pixels(picture))) => self.put(&picture),
             Ok(_) => {}
             Err(problem) => self.problem = Some(problem),

@@ -104,7 +104,7 @@ pub fn wheel(ui: &mut egui::Ui, names: &[String], chosen: Option<usize>, drive: 
 }
 
 /// Where cells move, and how fine the picture is.
-pub fn machine(ui: &mut egui::Ui, backend: Backend, fineness: &mut f32, means: &Means, wishes: &mut Vec<Wish>) {
+pub fn machine(ui: &mut egui::Ui, backend: Backend, [fineness, near]: [&mut f32; 2], means: &Means, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
         for (other, name) in [(Backend::Cpu, "step on the CPU"), (Backend::Gpu, "on the GPU")] {
             let there = other == Backend::Cpu || means.gpu().is_some();
@@ -116,6 +116,8 @@ pub fn machine(ui: &mut egui::Ui, backend: Backend, fineness: &mut f32, means: &
         }
     });
     ui.add(egui::Slider::new(fineness, 0.2..=1.0).text("pixels").max_decimals(2)).on_hover_text("Pixels drawn for each of the window's");
+    let words = "Share of the distance up to which every plant is drawn; beyond it fewer and wider ones stand for all";
+    ui.add(egui::Slider::new(near, 0.05..=1.0).text("plants").max_decimals(2)).on_hover_text(words);
     ui.weak(means.name());
 }
 

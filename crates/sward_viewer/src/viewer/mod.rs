@@ -63,6 +63,8 @@ pub struct Settings {
     pub steps: Option<u32>,
     /// Pixels drawn for each of the window's; `None` lets the adapter decide.
     pub fineness: Option<f32>,
+    /// Share of the distance up to which every plant is drawn, 0.05 to 1.
+    pub near: Option<f32>,
     /// The window's width and height; `None`: as last time.
     pub size: Option<[f32; 2]>,
     /// Where a line goes after every picture.
@@ -124,6 +126,8 @@ pub struct Viewer {
     curves: [bool; 2],
     backend: Backend,
     fineness: f32,
+    /// Share of the distance up to which every plant is drawn.
+    near: f32,
     help: bool,
     /// When the scene's file was last written, and when that was last looked at.
     written: Option<std::time::SystemTime>,
@@ -166,7 +170,6 @@ impl Viewer {
         let info = device.as_ref().map(|device| device.adapter.get_info());
         // A software adapter shares the processor with everything else.
         let software = settings.software || info.as_ref().is_some_and(|info| info.device_type == wgpu::DeviceType::Cpu);
-        let usual = if software { 0.5 } else { 1.0 };
         let means = match (&device, info) {
             (Some(device), Some(info)) => Means::device(Gpu::watch(device.device.clone(), device.queue.clone(), info)),
             _ => Means::Processor,
@@ -176,7 +179,9 @@ impl Viewer {
             context.egui_ctx.send_viewport_cmd(egui::ViewportCommand::InnerSize(size.into()));
         }
         let remembered: Remembered = context.storage.and_then(|storage| eframe::get_value(storage, KEY)).unwrap_or_default();
-        let usual = remembered.fineness.unwrap_or(usual);
+        let usual = means.usual(software);
+        let fineness = settings.fineness.or(remembered.fineness).unwrap_or(usual[0]).clamp(0.2, 1.0);
+        let near = settings.near.or(remembered.near).unwrap_or(usual[1]).clamp(0.05, 1.0);
         let now = Instant::now();
         if settings.status.is_some() {
             marks::begin(&context.egui_ctx);
@@ -216,7 +221,8 @@ impl Viewer {
             times: Times::default(),
             curves: remembered.curves,
             backend: settings.backend.unwrap_or(if remembered.on_gpu { Backend::Gpu } else { Backend::Cpu }),
-            fineness: settings.fineness.unwrap_or(usual).clamp(0.2, 1.0),
+            fineness,
+            near,
             help: false,
             written: None,
             looked: now,
@@ -287,6 +293,7 @@ impl eframe::App for Viewer {
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         let remembered = Remembered {
             fineness: Some(self.fineness),
+            near: Some(self.near),
             on_gpu: self.backend == Backend::Gpu,
             scene: self.stage.as_ref().and_then(|stage| stage.source.remembered()),
             curves: self.curves,

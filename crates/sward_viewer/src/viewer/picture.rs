@@ -10,7 +10,7 @@ use crate::clock::Passing;
 use crate::compare::names;
 use crate::marks::mark;
 use crate::overlay::Closely;
-use crate::painter::Shown;
+use crate::painter::{Shot, Shown};
 use crate::sight::Sight;
 use crate::stage::{Move, Stage};
 
@@ -166,12 +166,13 @@ impl Viewer {
         let own = stage.world.viewed;
         // Asked once, so that one half does not take the room of the other for ever.
         let free = self.means.is_free();
-        let drawn = stage.draw(view, behind, size, free, &mut self.times);
+        let shot = Shot { view, behind, size, near: self.near.into() };
+        let drawn = stage.draw(shot, free, &mut self.times);
         // The other half sees what this one sees, and has no keys of its own.
         let seen = view.or(own).unwrap_or_else(|| stage.world.camera_before(behind));
         self.show(context, 0, drawn);
         if let Some(beside) = &mut self.beside.stage {
-            let drawn = beside.draw(Some(seen), behind, size, free, &mut self.times);
+            let drawn = beside.draw(Shot { view: Some(seen), ..shot }, free, &mut self.times);
             self.show(context, 1, drawn);
         }
     }

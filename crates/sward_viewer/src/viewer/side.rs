@@ -46,7 +46,7 @@ impl Viewer {
             tools::compare(ui, self.beside.response, wishes);
             ui.separator();
             let backend = self.stage.as_ref().map_or(self.backend, Stage::backend);
-            tools::machine(ui, backend, &mut self.fineness, &self.means, wishes);
+            tools::machine(ui, backend, [&mut self.fineness, &mut self.near], &self.means, wishes);
         });
     }
 

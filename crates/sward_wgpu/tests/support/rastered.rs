@@ -128,6 +128,23 @@ pub(crate) fn hello(gpu: &Gpu) -> Verdict {
     same(gpu, "hello", 6.2)
 }
 
+/// Pictures for slow devices, thinned out. Control: the usual picture.
+pub(crate) fn sparse(gpu: &Gpu) -> Verdict {
+    let root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let mut world = world_of(Scene::parse(&std::fs::read_to_string(root.join("scenes/hello.ron"))?, "hello")?, root)?;
+    (0..60).for_each(|_| world.step());
+    let (mut theirs, mut own) = (Studio::new(gpu, &world)?, sward_raster::Studio::new(&world));
+    let usual = own.draw(&world, SIZE);
+    theirs.thin(0.2);
+    own.thin(0.2);
+    let theirs = theirs.draw(gpu, &world, CellsAt::Cpu, SIZE)?;
+    let (apart, control) = (difference(&own.draw(&world, SIZE), &theirs), difference(&usual, &theirs));
+    println!("sparse: {apart:.3} of 255, the usual picture {control:.3}");
+    let most = if gpu.adapter_info.device_type == wgpu::DeviceType::Cpu { SOFTWARE } else { HARDWARE };
+    ensure(apart <= most, || format!("CPU and GPU differ by {apart:.3} of 255 on average, allowed {most}"))?;
+    ensure(control > 2.0 * apart, || format!("the usual picture looks the same: {control:.3} of 255"))
+}
+
 /// Shrubs, without the meadow between them, while new cuts take over from older ones. Control: with all layers at the same place.
 pub(crate) fn layers(gpu: &Gpu) -> Verdict {
     let change = |scene: &mut Scene| {
