@@ -67,8 +67,17 @@ impl Camera {
         let level = way[0].hypot(way[2]);
         self.heading = way[0].atan2(way[2]);
         self.rise = way[1].atan2(level);
-        self.distance = level.hypot(way[1]).clamp(DISTANCES[0], DISTANCES[1]);
-        self.at = if kind == Kind::Fly { view.eye } else { view.target };
+        // One that flies looks at nothing near: what was looked at before says how far away to stay.
+        let flew = self.kind == Kind::Fly;
+        if !flew {
+            self.distance = level.hypot(way[1]).clamp(DISTANCES[0], DISTANCES[1]);
+        }
+        let ahead = self.ahead();
+        self.at = match kind {
+            Kind::Fly => view.eye,
+            _ if flew => [0, 1, 2].map(|axis| view.eye[axis] + ahead[axis] * self.distance),
+            _ => view.target,
+        };
         self.field_of_view = view.field_of_view;
         (self.kind, self.behind) = (kind, None);
     }
@@ -177,6 +186,21 @@ mod tests {
             assert!(!close(way(&camera.view(&world, None, 0.1).expect("its own")), way(&view)), "control");
         }
         assert_eq!(Camera::default().view(&world, None, 0.1), None, "the scene's own");
+    }
+
+    #[test]
+    fn after_a_flight_it_keeps_its_distance() {
+        let world = World::new(sward::scene::Scene::parse("(version: 1)", "x").expect("valid"), &sward::model::NoAssets).expect("compiles");
+        let mut camera = Camera::default();
+        camera.take(Kind::Orbit, &View { eye: [0.0, 3.0, 0.0], target: [0.0, 1.0, 8.0], field_of_view: 0.8 });
+        let away = camera.away();
+        camera.take(Kind::Fly, &camera.clone().view(&world, None, 0.1).expect("its own"));
+        camera.slide(2.0, 1.0, 3.0);
+        let flown = camera.view(&world, None, 0.1).expect("its own");
+        camera.take(Kind::Follow, &flown);
+        let view = camera.view(&world, None, 0.1).expect("its own");
+        assert!((camera.away() - away).abs() < 1e-9 && away > 8.0, "{} {away}", camera.away());
+        assert!(close(view.eye, flown.eye), "{view:?}");
     }
 
     #[test]

@@ -14,11 +14,11 @@ const GROWTH: f64 = 2_400_000.0;
 /// and other drivers keep nothing. So memory is watched there.
 const FLAT: (&str, &str) = ("WGPU_BACKEND", "gl");
 
-/// Memory is fitted with a line once a third of the time has passed (at most two minutes).
+/// Memory is looked at once two thirds of the time have passed (at most two minutes): the field must have been seen from everywhere.
 pub(crate) fn soak() -> Result<(), Failed> {
     let seconds: u64 = std::env::var("SWARD_SOAK").ok().and_then(|text| text.parse().ok()).unwrap_or(60);
     let samples = play("soak", seconds, &[FLAT])?;
-    let settled = (seconds as f64 / 3.0).min(120.0);
+    let settled = (seconds as f64 / 1.5).min(120.0);
     let samples: Vec<_> = samples.into_iter().filter(|(passed, _)| *passed > settled).collect();
     let slope = slope(&samples);
     println!("soak: memory grows by {slope:.0} bytes a second over {} samples", samples.len());
@@ -26,6 +26,8 @@ pub(crate) fn soak() -> Result<(), Failed> {
     let most = GROWTH / seconds as f64;
     let leaking: Vec<_> = samples.iter().map(|(passed, memory)| (*passed, memory + 2.0 * most * passed)).collect();
     assert!(self::slope(&leaking) > most, "control: a leak is not seen");
+    let stairs: Vec<_> = samples.iter().map(|(passed, memory)| (*passed, memory + 16.0 * most * (passed / 8.0).floor())).collect();
+    assert!(self::slope(&stairs) > most, "control: what grows every eight seconds is not seen");
     assert!(slope < most, "memory grows by {slope:.0} bytes a second");
     // The layer that checks every call belongs to Vulkan.
     play("checked", seconds / 2, &[("SWARD_VALIDATION", "1")]).map(|_| ())
@@ -34,9 +36,9 @@ pub(crate) fn soak() -> Result<(), Failed> {
 /// Drives around, changes cameras, looks inside; nobody may complain. Returns when memory was looked at, and how much it was.
 fn play(name: &str, seconds: u64, environment: &[(&str, &str)]) -> Result<Vec<(f64, f64)>, Failed> {
     let environment = [&[("RUST_LOG", "warn,sward_viewer=info")], environment].concat();
-    let mut desk = Desk::open(name, &[&*scenes("hello")?, "--steps", "2", "--pixels", "0.25", "--cpu"], &environment)?;
+    let mut desk = Desk::open(name, &[&*scenes("hello")?, "--steps", "20", "--pixels", "0.25", "--cpu"], &environment)?;
     desk.key("e")?;
-    // In circles: the same ground again and again.
+    // In circles, twenty steps a picture: the same ground again and again, all of it before memory is looked at.
     desk.hold("w", true)?;
     desk.hold("a", true)?;
     let begun = Instant::now();
@@ -44,9 +46,10 @@ fn play(name: &str, seconds: u64, environment: &[(&str, &str)]) -> Result<Vec<(f
     while begun.elapsed() < Duration::from_secs(seconds) {
         std::thread::sleep(Duration::from_millis(500));
         turn += 1;
-        match turn % 24 {
-            8 => desk.key("c")?,
-            16 => desk.key("space")?,
+        // Every camera, too, is used before that.
+        match turn % 8 {
+            3 => desk.key("c")?,
+            6 => desk.key("space")?,
             _ => {}
         }
         samples.extend(desk.memory().map(|memory| (begun.elapsed().as_secs_f64(), memory as f64)));
@@ -67,12 +70,12 @@ fn play(name: &str, seconds: u64, environment: &[(&str, &str)]) -> Result<Vec<(f
     Ok(samples)
 }
 
-/// Of the line through all samples, least squares.
+/// How steeply samples rise: the median over all pairs. What grows once, when a buffer is made larger for a part of the field that was not seen before,
+/// does not count; what grows again and again does.
 fn slope(samples: &[(f64, f64)]) -> f64 {
-    let count = samples.len().max(1) as f64;
-    let mean = |pick: fn(&(f64, f64)) -> f64| samples.iter().map(pick).sum::<f64>() / count;
-    let (time, value) = (mean(|sample| sample.0), mean(|sample| sample.1));
-    let above: f64 = samples.iter().map(|sample| (sample.0 - time) * (sample.1 - value)).sum();
-    let below: f64 = samples.iter().map(|sample| (sample.0 - time).powi(2)).sum();
-    above / below.max(1e-9)
+    let pairs = samples.iter().enumerate().flat_map(|(index, one)| samples[..index].iter().map(move |other| (one, other)));
+    let mut slopes: Vec<f64> =
+        pairs.filter(|(one, other)| one.0 > other.0).map(|(one, other)| (one.1 - other.1) / (one.0 - other.0)).collect();
+    slopes.sort_by(f64::total_cmp);
+    slopes.get(slopes.len() / 2).copied().unwrap_or(f64::NAN)
 }
