@@ -25,7 +25,8 @@ pub(crate) struct Desk {
 pub(crate) fn missing() -> Option<String> {
     let there =
         |program: &str| std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()).any(|folder| folder.join(program).is_file());
-    ["Xvfb", "xdotool", "import"].into_iter().find(|program| !there(program)).map(|program| format!("{program} is not installed"))
+    let absent = ["Xvfb", "xdotool", "import"].into_iter().find(|program| !there(program));
+    absent.map(|program| format!("{program} is not installed")).or_else(|| sward_wgpu::gpu::Gpu::new().err().map(|error| error.to_string()))
 }
 
 /// Where screenshots go.
