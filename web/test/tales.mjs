@@ -1,8 +1,8 @@
-// What people do on the page. So many steps a picture, few pixels, few plants far away: the same on every machine.
+// What people do on the page. So many steps a picture, few pixels, fewer plants far away: the same on every machine.
 import { stat } from "node:fs/promises";
 import { ensure } from "./desk.mjs";
 
-const USUAL = "steps=8&pixels=0.2&plants=0.1&cpu";
+const USUAL = "steps=8&pixels=0.2&plants=0.3&cpu";
 // Few plants: a software device draws it soon.
 const YARD = `(
     version: 1,
@@ -64,7 +64,7 @@ async function drive(desk, name) {
 }
 
 export async function truck(open) {
-  await drive(await open("scene=hello&steps=20&pixels=0.2&plants=0.1&cpu"), "truck");
+  await drive(await open("scene=hello&steps=20&pixels=0.2&plants=0.3&cpu"), "truck");
 }
 
 // A preset and a dragged number change how far plants lean; undo takes it back.
@@ -133,7 +133,7 @@ export async function names(open) {
 
 // Cells on the graphics device: they step while nobody waits, come to the processor when somebody looks, and go back.
 export async function device(open) {
-  const desk = await open("scene=lawn&steps=4&pixels=0.2&plants=0.1&gpu");
+  const desk = await open("scene=lawn&steps=4&pixels=0.2&plants=0.3&gpu");
   await desk.wait("the scene", (now) => now.step > 0);
   await desk.drop("yard.ron", YARD);
   await desk.wait("steps on the device", (now) => now.bodies[0]?.name === "ball" && now.backend === "gpu" && now.step > 20);

@@ -49,7 +49,7 @@ impl Means {
     /// with everything else.
     pub fn usual(&self, software: bool) -> [f32; 2] {
         match self {
-            Self::Device { .. } if software => [0.5, 0.25],
+            Self::Device { .. } if software => [0.5; 2],
             Self::Device { .. } => [1.0; 2],
             Self::Processor => [1.0, 0.2],
         }

@@ -6,8 +6,8 @@ use serde_json::Value;
 use crate::desk::Desk;
 use crate::pictures::{difference, part, variety};
 
-/// Three steps a picture, few pixels, few plants far away, cells on the processor: the same on every machine.
-const USUAL: [&str; 7] = ["--steps", "3", "--pixels", "0.3", "--plants", "0.1", "--cpu"];
+/// Three steps a picture, few pixels, fewer plants far away, cells on the processor: the same on every machine.
+const USUAL: [&str; 7] = ["--steps", "3", "--pixels", "0.3", "--plants", "0.5", "--cpu"];
 
 fn open(name: &str, scene: &str) -> Result<Desk, Failed> {
     Desk::open(name, &[&[&*scenes(scene)?], &USUAL[..]].concat(), &[])
@@ -68,7 +68,7 @@ pub(crate) fn drive() -> Result<(), Failed> {
 /// A dragged number and a preset change how far plants lean; undo takes it back.
 pub(crate) fn sliders() -> Result<(), Failed> {
     // Plants take a while to settle: more steps a picture.
-    let mut desk = Desk::open("sliders", &[&*scenes("reed")?, "--steps", "8", "--pixels", "0.3", "--plants", "0.1", "--cpu"], &[])?;
+    let mut desk = Desk::open("sliders", &[&*scenes("reed")?, "--steps", "8", "--pixels", "0.3", "--plants", "0.5", "--cpu"], &[])?;
     desk.key("t")?;
     let middle = desk.place("picture")?;
     desk.click_at([middle[0], middle[1] + 120])?;
