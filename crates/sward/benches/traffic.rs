@@ -43,6 +43,7 @@ impl Field {
                 lag: NONE,
                 neighbours: [slot(x - 1, z), slot(x + 1, z), slot(x, z - 1), slot(x, z + 1)],
                 keep: 1.0,
+                aired: false,
                 woken: true,
                 edited: false,
                 lag_woken: false,
@@ -65,6 +66,7 @@ impl Field {
             pairs: Vec::new(),
             solids: Solids::default(),
             sheets: Default::default(),
+            rebase: false,
         };
         let mut field = Self { world, cells: Cells::default(), plan };
         field.step(Lanes::default());

@@ -1,37 +1,39 @@
 //! The compiled scene: everything a step reads and never changes, but for the ground where it is edited.
 
-mod fluids;
+mod bodies;
+
 mod limits;
 mod maps;
 mod specimens;
+pub(crate) mod tuning;
+mod wind;
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+pub use bodies::{BodyModel, Wardrobe};
 use limits::{Named, NamedComb};
 pub use maps::BodyMaps;
+pub use wind::{Blower, Pictures};
 use specimens::Specimens;
 
-use crate::figure::{Figure, FigureError};
-use crate::growth::{Growth, Limit};
-use crate::interaction::{FigureBody, Piece, pieces_of};
+use crate::growth::{Growth, Limit, Tended};
 use crate::placement::PlacementParameters;
 pub use crate::response::StandModel;
 use crate::response::chain::ChainModel;
 use crate::response::continuum::{Coefficients, LagCoefficients};
-use crate::response::harmonic::{HarmonicModel, LayeredStand};
+use crate::response::harmonic::{HarmonicModel, LayeredStand, largest};
 use crate::response::oscillator::OscillatorModel;
 use crate::response::springs::SpringsModel;
 use crate::scene::{
-    Area, GustFrom, MeshShape, Path as ScenePath, Scene, SceneError, Shape, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
+    Area, GustFrom, Path as ScenePath, Scene, SceneError, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
 };
 use crate::shading::environment::Environment;
-use crate::state::{BodyState, Root};
+use crate::state::{Root, WindState};
 use crate::store::{NoStore, Store};
 use crate::terrain::{Detail, Terrain, TerrainError, is_tiff};
 use crate::wind::fluid::FluidSource;
-use crate::wind::{Flow, Images, Source, Tile, WindField};
+use crate::wind::{Blowing, Images, Tile, WindField};
 
 /// Where a scene's files (terrain, bodies) come from.
 pub trait Assets {
@@ -92,35 +94,15 @@ impl Assets for NoAssets {
     }
 }
 
-/// A body, compiled.
-#[derive(Clone, Debug)]
-pub struct BodyModel {
-    /// Name, as in the scene.
-    pub name: String,
-    /// Convex pieces; of a mesh with a clip, those of its first moment.
-    pub pieces: Vec<Piece>,
-    /// The glTF figure of a mesh.
-    pub figure: Option<FigureBody>,
-    /// Half width and half length of its base, m.
-    pub half: [f64; 2],
-    /// Half width and half length of all of it, m.
-    pub reach: [f64; 2],
-}
-
-impl BodyModel {
-    /// Whether its parts move against each other.
-    pub fn is_animated(&self) -> bool {
-        self.figure.as_ref().is_some_and(FigureBody::is_animated)
-    }
-
-    /// The pieces of an animated body before and after the last step; none of another.
-    pub fn pieces_between(&self, state: &BodyState) -> Vec<[Piece; 2]> {
-        let Some(figure) = self.figure.as_ref().filter(|figure| figure.is_animated() && state.pose.is_some()) else { return Vec::new() };
-        let [from, to] = state.clock;
-        let from = if figure.is_smooth(from, to) { from } else { to };
-        let pairs = figure.pieces(from).into_iter().zip(figure.pieces(to));
-        pairs.filter_map(|pair| Some([pair.0?, pair.1?])).collect()
-    }
+/// Counts changes of a model while its world runs: whoever keeps something made from it looks whether that is still so.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Revision {
+    /// Of the bodies, but for where they are.
+    pub bodies: u64,
+    /// Of the sources of wind.
+    pub wind: u64,
+    /// Of how stands move.
+    pub stands: u64,
 }
 
 /// The compiled scene.
@@ -142,116 +124,28 @@ pub struct Model {
     pub layered: Vec<LayeredStand>,
     /// What limits growth: exclusions, then masks.
     pub limits: Vec<Arc<Limit>>,
-    /// Wind sources.
-    pub sources: Vec<Source>,
+    /// Wind that is everywhere.
+    pub sources: Vec<Blowing>,
     /// Wind of places.
     pub blowers: Vec<Blower>,
     /// Their images.
     pub images: Arc<Images>,
+    /// Where those of files are among them.
+    pub pictures: Pictures,
     /// Air that flows.
     pub fluids: Vec<FluidSource>,
     /// The wind changes with time.
     pub gusty: bool,
     /// Bodies in the scene's order.
     pub bodies: Vec<BodyModel>,
+    /// What makes further ones.
+    pub wardrobe: Wardrobe,
     /// What they look like from six sides.
     pub maps: BodyMaps,
+    /// What has changed of all this since it was compiled.
+    pub revision: Revision,
     /// The picture of the surroundings, where there is one.
     pub environment: Option<Arc<Environment>>,
-}
-
-/// A source of wind that has a place.
-#[derive(Clone, Debug)]
-pub struct Blower {
-    /// What the author wrote.
-    pub source: crate::scene::Footprint,
-    /// How the air moves.
-    pub flow: Flow,
-    /// The interactor it stays with.
-    pub follow: Option<usize>,
-}
-
-/// The scene's footprints and the pictures they name.
-fn blowers(scene: &Scene, assets: &dyn Assets) -> Result<(Vec<Blower>, Images), SceneError> {
-    let (mut list, mut images) = (Vec::new(), Images::default());
-    for (index, source) in scene.wind.iter().enumerate() {
-        let WindSource::Footprint(source) = source else { continue };
-        let flow = match &source.flow {
-            crate::scene::Flow::Outward => Flow::Outward,
-            crate::scene::Flow::Swirl => Flow::Swirl,
-            crate::scene::Flow::Image(image) => {
-                let trail = Trail::default().key("wind").index(index).key("flow").key("path");
-                let bytes = read(&image.path, &trail, assets)?;
-                Flow::Image(images.add_png(&bytes).map_err(|why| SceneError::in_file(&image.path, why).named_by(trail))?)
-            }
-        };
-        let follow = source.follow.as_ref().and_then(|name| scene.interactors.iter().position(|body| &body.name == name));
-        list.push(Blower { source: source.clone(), flow, follow });
-    }
-    Ok((list, images))
-}
-
-fn half_of(shape: &Shape, pieces: &[Piece]) -> [f64; 2] {
-    if matches!(shape, Shape::Truck) {
-        return [0.8, 1.45];
-    }
-    reach_of(pieces)
-}
-
-fn reach_of(pieces: &[Piece]) -> [f64; 2] {
-    [0, 1].map(|axis: usize| pieces.iter().flat_map(|piece| &piece.outline).map(|p| p[axis].abs()).fold(0.05, f64::max))
-}
-
-/// Why a file cannot be this body, with the value of the scene that is at fault.
-fn bad_body(mesh: &MeshShape, shape: &Trail, error: &FigureError) -> SceneError {
-    let (field, help) = match error {
-        FigureError::Clip { .. } => ("clip", None),
-        FigureError::Size { .. } => ("scale", None),
-        FigureError::Data { .. } | FigureError::Json(_) => ("file", Some("export it again; a glTF validator says more")),
-        _ => ("file", None),
-    };
-    let bad = SceneError::in_file(&mesh.file, error.to_string()).named_by(shape.clone().key(field));
-    help.map_or(bad.clone(), |help| bad.advise(help))
-}
-
-/// The bodies of a scene; each file is read and split once.
-fn body_models(scene: &Scene, assets: &dyn Assets) -> Result<Vec<BodyModel>, SceneError> {
-    let mut figures: BTreeMap<(&str, u32), Arc<Figure>> = BTreeMap::new();
-    let mut bodies = Vec::new();
-    for (index, interactor) in scene.interactors.iter().enumerate() {
-        let figure = match &interactor.shape {
-            Shape::Mesh(mesh) => {
-                let shape = Trail::default().key("interactors").index(index).key("shape");
-                let bad = |error: FigureError| bad_body(mesh, &shape, &error);
-                let figure = match figures.get(&(mesh.file.as_str(), mesh.pieces)) {
-                    Some(known) => Arc::clone(known),
-                    None => {
-                        let bytes = read(&mesh.file, &shape.clone().key("file"), assets)?;
-                        let beside = |name: &str| {
-                            let folder = Path::new(&mesh.file).parent().unwrap_or(Path::new(""));
-                            assets.read(&folder.join(name).to_string_lossy())
-                        };
-                        Arc::new(Figure::read(&bytes, &beside, mesh.pieces).map_err(bad)?)
-                    }
-                };
-                figures.insert((&mesh.file, mesh.pieces), Arc::clone(&figure));
-                Some(FigureBody::new(figure, mesh).map_err(bad)?)
-            }
-            _ => None,
-        };
-        let pieces = match &figure {
-            Some(figure) => figure.pieces(0.0).into_iter().flatten().collect(),
-            None => pieces_of(&interactor.shape),
-        };
-        bodies.push(BodyModel {
-            name: interactor.name.clone(),
-            half: half_of(&interactor.shape, &pieces),
-            reach: reach_of(&pieces),
-            pieces,
-            figure,
-        });
-    }
-    Ok(bodies)
 }
 
 /// Those of a list that hold for a stand.
@@ -259,41 +153,56 @@ fn named<T>(list: &[(Arc<T>, Vec<String>)], stand: &String) -> Vec<Arc<T>> {
     list.iter().filter(|(_, names)| names.is_empty() || names.contains(stand)).map(|(one, _)| Arc::clone(one)).collect()
 }
 
-fn stand_models(scene: &Scene, usual: &WindField, limits: &[Named], combs: &[NamedComb]) -> Result<Vec<StandModel>, SceneError> {
-    let dt = 1.0 / f64::from(scene.steps_per_second);
-    let patch_side = f64::from(scene.field.patch_side);
-    let mut stands: Vec<StandModel> = Vec::new();
-    for (index, stand) in scene.stands.iter().enumerate().filter(|(_, stand)| !stand.is_layered()) {
+/// What stands are compiled from, besides what is said of each.
+struct Around<'a> {
+    scene: &'a Scene,
+    /// The wind as it usually blows.
+    usual: &'a WindField,
+    /// Whether it is not the same everywhere and for ever.
+    varies: bool,
+}
+
+fn stand_models(around: &Around<'_>, limits: &[Named], combs: &[NamedComb]) -> Result<Vec<StandModel>, SceneError> {
+    let mut stands = Vec::new();
+    for (index, stand) in around.scene.stands.iter().enumerate().filter(|(_, stand)| !stand.is_layered()) {
         let species = stand.resolve()?;
-        let spacing = patch_side / f64::from(species.cells);
-        let chain = chain_model(scene, index, &species, patch_side)?;
-        let oscillator = OscillatorModel::of(&species, dt, patch_side, scene.wind.iter().any(varies)).transpose().map_err(|error| {
-            let trail = Trail::default().key("stands").index(index).key("response");
-            SceneError::in_file("", error.to_string()).named_by(trail)
-        })?;
-        let plant_height = 0.5 * (species.height[0] + species.height[1]);
-        let (coefficients, substeps) = Coefficients::new(&species.continuum, dt, spacing, plant_height);
-        let placement = placement_of(scene, index, &species);
-        let growth = Growth { limits: named(limits, &species.name), slopes: stand.slope, combs: named(combs, &species.name) };
-        stands.push(StandModel {
-            name: stand.label(),
-            index,
-            growth,
-            lag: LagCoefficients::new(&species.continuum, species.segments(), dt),
-            tolerance: tolerance(&species, chain.as_ref(), oscillator.as_ref(), usual),
-            chain,
-            oscillator,
-            springs: SpringsModel::of(&species, dt, scene.budget.sheets),
-            cells: species.cells,
-            species,
-            patch_side,
-            spacing,
-            coefficients,
-            substeps,
-            placement,
-        });
+        let (limits, combs) = (named(limits, &species.name), named(combs, &species.name));
+        let growth = Growth { limits, slopes: stand.slope, combs, tended: Tended::default() };
+        stands.push(stand_model(around, index, species, growth)?);
     }
     Ok(stands)
+}
+
+/// Stand number `index` of a scene, as a species.
+fn stand_model(around: &Around<'_>, index: usize, species: SpeciesModel, growth: Growth) -> Result<StandModel, SceneError> {
+    let scene = around.scene;
+    let dt = 1.0 / f64::from(scene.steps_per_second);
+    let patch_side = f64::from(scene.field.patch_side);
+    let spacing = patch_side / f64::from(species.cells);
+    let chain = chain_model(scene, index, &species, patch_side)?;
+    let oscillator = OscillatorModel::of(&species, dt, patch_side, around.varies).transpose().map_err(|error| {
+        let trail = Trail::default().key("stands").index(index).key("response");
+        SceneError::in_file("", error.to_string()).named_by(trail)
+    })?;
+    let plant_height = 0.5 * (species.height[0] + species.height[1]);
+    let (coefficients, substeps) = Coefficients::new(&species.continuum, dt, spacing, plant_height);
+    Ok(StandModel {
+        name: species.name.clone(),
+        index,
+        growth,
+        lag: LagCoefficients::new(&species.continuum, species.segments(), dt),
+        tolerance: tolerance(&species, chain.as_ref(), oscillator.as_ref(), around.usual),
+        chain,
+        oscillator,
+        springs: SpringsModel::of(&species, dt, scene.budget.sheets),
+        cells: species.cells,
+        patch_side,
+        spacing,
+        coefficients,
+        substeps,
+        placement: placement_of(scene, index, &species),
+        species,
+    })
 }
 
 /// Where the plants of a stand stand.
@@ -314,35 +223,26 @@ fn placement_of(scene: &Scene, index: usize, species: &SpeciesModel) -> Placemen
 }
 
 /// Stands of meshes.
-fn layered_stands(scene: &Scene, sources: &[Source], limits: &[Named], assets: &dyn Assets) -> Result<Vec<LayeredStand>, SceneError> {
+fn layered_stands(scene: &Scene, sources: &[Blowing], limits: &[Named], assets: &dyn Assets) -> Result<Vec<LayeredStand>, SceneError> {
     let dt = 1.0 / f64::from(scene.steps_per_second);
     let (mut stands, mut specimens) = (Vec::new(), Specimens::default());
     for (index, stand) in scene.stands.iter().enumerate() {
         let species = stand.resolve()?;
         let Some(layered) = species.layered.clone() else { continue };
         let specimen = specimens.of(&layered.layers.mesh, index, assets)?;
-        let places = stand.places.iter().filter_map(|place| place.height);
-        let tallest = places.fold(species.height[1], crate::math::upper);
-        let scale = tallest / specimen.high[1].max(1e-3);
-        let wide = (0..3).step_by(2).map(|axis| specimen.high[axis] - specimen.low[axis]).fold(0.0, crate::math::upper);
         stands.push(LayeredStand {
             name: stand.label(),
             index,
-            harmonic: HarmonicModel::new(&layered.harmonic, [wide * scale, tallest], sources, dt),
+            harmonic: HarmonicModel::new(&layered.harmonic, largest(&specimen, &stand.places, species.height[1]), sources, dt),
             layered,
             specimen,
             places: stand.places.clone(),
             placement: placement_of(scene, index, &species),
-            growth: Growth { limits: named(limits, &species.name), slopes: stand.slope, combs: Vec::new() },
+            growth: Growth { limits: named(limits, &species.name), slopes: stand.slope, ..Growth::default() },
             patch_side: f64::from(scene.field.patch_side),
         });
     }
     Ok(stands)
-}
-
-/// Whether a source of wind is not the same everywhere and for ever.
-fn varies(source: &WindSource) -> bool {
-    !matches!(source, WindSource::Uniform(_))
 }
 
 /// Most bytes of the blades of one patch: what WebGPU lets a buffer bind.
@@ -484,16 +384,8 @@ pub fn rebased(mut scene: Scene) -> Scene {
 impl Model {
     /// Compiles a scene; files it names come from `assets`.
     pub fn compile(scene: &Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
-        let sources: Vec<Source> = scene
-            .wind
-            .iter()
-            .filter_map(|source| match source {
-                WindSource::Uniform(wind) => Some(Source::Uniform { velocity: wind.velocity }),
-                WindSource::Natural(wind) => Some(Source::Natural { velocity: wind.velocity, turbulence: wind.turbulence }),
-                WindSource::Fluid(wind) => Some(Source::Uniform { velocity: wind.velocity }),
-                WindSource::Footprint(_) => None,
-            })
-            .collect();
+        let winds = WindState::all(scene);
+        let sources = wind::sources(scene, &winds, 0.0);
         let field = scene.field.patches.map(|count| {
             let low = count.map(|n| -((n / 2) as i32));
             [low, [low[0] + count[0] as i32, low[1] + count[1] as i32]]
@@ -502,12 +394,18 @@ impl Model {
         let scattered = |error: TerrainError| SceneError::in_file("", error.to_string()).named_by(Trail::default().key("edits"));
         terrain.reserve_edits(&scene.edits).map_err(scattered)?;
         let limits = limits::of(scene, assets)?;
-        let (blowers, images) = blowers(scene, assets)?;
-        let fluids = fluids::of(scene, (Tile::shipped().texels().len() + images.texels().len()) as u32);
-        let usual = fluids::usual_wind(&sources, &fluids);
-        let stands = stand_models(scene, &usual, &limits, &limits::combs(scene, assets)?)?;
+        let (mut images, mut pictures) = (Images::default(), Pictures::default());
+        for (place, source) in scene.wind.iter().enumerate() {
+            wind::paint(source, place, assets, &mut images, &mut pictures)?;
+        }
+        let blowers = wind::blowers(scene, &winds, &pictures);
+        let fluids = wind::fluids(scene, &winds, &images, &[]);
+        let usual = wind::usual(&sources, &fluids);
+        let around = Around { scene, usual: &usual, varies: wind::varies(scene, &winds) };
+        let stands = stand_models(&around, &limits, &limits::combs(scene, assets)?)?;
         let layered = layered_stands(scene, &sources, &limits, assets)?;
-        let bodies = body_models(scene, assets)?;
+        let mut wardrobe = Wardrobe::default();
+        let bodies = wardrobe.all(scene, assets)?;
         let texels = stands.iter().filter_map(|stand| stand.springs.as_ref()).map(|springs| springs.texels).max().unwrap_or(0);
         Ok(Self {
             dt: 1.0 / f64::from(scene.steps_per_second),
@@ -515,8 +413,7 @@ impl Model {
             patch_side: f64::from(scene.field.patch_side),
             field,
             terrain,
-            gusty: sources.iter().any(|source| matches!(source, Source::Natural { turbulence, .. } if *turbulence > 0.0))
-                || fluids.iter().any(FluidSource::is_gusty),
+            gusty: wind::is_gusty(&sources, &fluids),
             fluids,
             stands,
             layered,
@@ -524,8 +421,11 @@ impl Model {
             sources,
             blowers,
             images: Arc::new(images),
+            pictures,
             maps: BodyMaps::of(&bodies, texels),
             bodies,
+            wardrobe,
+            revision: Revision::default(),
             environment: environment(scene, assets)?,
         })
     }

@@ -46,6 +46,9 @@ pub struct StandPlan {
     pub solids: Solids,
     /// Billboards with a sheet of their own.
     pub sheets: SheetPlan,
+    /// Plants that swing by themselves did so by other numbers till now (`OscillatorModel::former`): before anything else their motions become those of
+    /// the new ones.
+    pub rebase: bool,
 }
 
 /// What a step does to deformed billboards.
@@ -104,6 +107,8 @@ pub struct PatchPlan {
     pub keep: f32,
     /// It must be set to rest first.
     pub woken: bool,
+    /// The tilt of its plants in the wind begins as the wind has it.
+    pub aired: bool,
     /// The ground under it has changed and must be sampled again.
     pub edited: bool,
     /// Its upper segments must be set to β first.

@@ -4,19 +4,26 @@
 //! Ground and free places are worked out again. On the CPU continuing gives the same bits; a GPU continues from the same bits.
 
 mod layered;
+mod whole;
+
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use crate::growth::{Growth, Tended};
 use crate::response::springs::pool;
 use crate::response::{StandModel, chain};
-use crate::state::{Awake, BodyState, Counters, LayeredState, NONE, PatchKey, Sheets, State, Summary};
+use crate::scene::{self, Response, Scene, Stand, WindSource};
+use crate::state::{Awake, BodyState, Counters, LayeredState, NONE, PatchKey, Regrowth, Sheets, State, Summary, Tuning, WindState};
 use crate::terrain::Edits;
 use crate::wind::fluid::{FASTEST, FluidState};
+pub use whole::LoadError;
+
 use crate::world::World;
 
 /// What [`World::save`] writes and [`World::restore`] reads.
-pub const VERSION: u32 = 5;
+pub const VERSION: u32 = 6;
 const MAGIC: &[u8; 10] = b"SWARDSTATE";
 /// Far beyond any bend \[rad\] or velocity \[rad/s\] that the limits leave, and small enough that a step stays finite.
 const FARTHEST: f32 = 1e4;
@@ -54,6 +61,12 @@ struct Saved {
     pinned: Vec<[f64; 2]>,
     pending_seconds: f64,
     dropped_steps: u64,
+    vacant: BTreeSet<u32>,
+    winds: Vec<WindState>,
+    tunings: Vec<SavedTuning>,
+    regrowing: Vec<Regrowth>,
+    /// Of stands of grass, then of meshes.
+    tended: Vec<Tended>,
     edits: Edits,
     edited_steps: u64,
     edited: Vec<PatchKey>,
@@ -61,6 +74,15 @@ struct Saved {
     layered: Vec<LayeredState>,
     /// Flows of planes of air, now and a step before.
     fluids: Vec<[Vec<[f32; 2]>; 2]>,
+}
+
+/// A response is kept as scenes write it.
+#[derive(Serialize, Deserialize)]
+struct SavedTuning {
+    stand: u32,
+    from: String,
+    begin: u64,
+    steps: u64,
 }
 
 /// Planes are those of awake patches, in key order.
@@ -120,6 +142,11 @@ impl World {
             pinned: state.pinned.clone(),
             pending_seconds: state.pending_seconds,
             dropped_steps: state.dropped_steps,
+            vacant: state.vacant.clone(),
+            winds: state.winds.clone(),
+            tunings: state.tunings.iter().map(saved_tuning).collect(),
+            regrowing: state.regrowing.clone(),
+            tended: self.growths().map(|growth| growth.tended.clone()).collect(),
             edits: self.model.terrain.edits().clone(),
             edited_steps: state.edited_steps,
             edited: state.edited.union(&state.resampled).copied().collect(),
@@ -160,7 +187,57 @@ impl World {
     pub fn restore_payload(&mut self, payload: &[u8]) -> Result<(), SavedError> {
         let saved: Saved = postcard::from_bytes(payload).map_err(|_| SavedError::Damaged("it cannot be decoded"))?;
         self.same_scene(&saved)?;
+        // Nothing of this world is touched before all has proved sound.
+        let (scene, model, state) = (self.scene.clone(), self.model.clone(), State::default());
+        let texels = Arc::clone(&model.maps.texels);
+        let mut next = Self { scene, model, state, lanes: self.lanes, viewed: self.viewed, texels, log: None };
+        next.take_saved(saved)?;
+        next.log = self.log.take();
+        *self = next;
+        Ok(())
+    }
+
+    /// Growth of stands of grass, then of meshes.
+    fn growths(&self) -> impl Iterator<Item = &Growth> {
+        self.model.stands.iter().map(|stand| &stand.growth).chain(self.model.layered.iter().map(|stand| &stand.growth))
+    }
+
+    /// Puts what was tended in place of what there is.
+    fn take_tended(&mut self, saved: Vec<Tended>) -> Result<(), SavedError> {
+        let grass = self.model.stands.iter_mut().map(|stand| (stand.cells, &mut stand.growth));
+        let meshes = self.model.layered.iter_mut().map(|stand| (stand.placement.cells, &mut stand.growth));
+        for ((cells, growth), tended) in grass.chain(meshes).zip(saved) {
+            if !tended.fits(cells) {
+                return Err(SavedError::Damaged("what grows in it is none"));
+            }
+            growth.tended = tended;
+        }
+        Ok(())
+    }
+
+    fn take_saved(&mut self, saved: Saved) -> Result<(), SavedError> {
+        let tunings: Option<Vec<Tuning>> = saved.tunings.iter().map(|tuning| self.tuning_of(tuning)).collect();
+        let levels = saved.winds.iter().flat_map(|wind| wind.levels).all(|level| (0.0..=1.0).contains(&level));
+        let counted = saved.winds.iter().all(|wind| wind.begin <= saved.step && wind.steps < 1 << 40 && wind.number < 1 << 30);
+        let growing = saved.regrowing.iter().all(|regrowth| {
+            regrowth.at.iter().all(|metres| (-1e9..=1e9).contains(metres)) && (0.5..=200.0).contains(&regrowth.radius) && regrowth.ticks < 1 << 40
+        });
+        let vacant = saved.vacant.last().is_none_or(|place| (*place as usize) < saved.bodies.len());
+        let Some(tunings) = tunings.filter(|_| levels && counted && growing && vacant) else {
+            return Err(SavedError::Damaged("a number in it is out of bounds"));
+        };
+        self.take_tended(saved.tended)?;
+        self.state.winds = saved.winds.clone();
+        self.state.step = saved.step;
+        self.look_at_wind();
+        self.state.tunings = tunings.clone();
+        self.glide_to(saved.step);
+        self.rested();
         let state = State {
+            vacant: saved.vacant,
+            winds: saved.winds,
+            tunings,
+            regrowing: saved.regrowing,
             step: saved.step,
             bodies: saved.bodies,
             focuses: saved.focuses,
@@ -177,7 +254,6 @@ impl World {
         if !state_is_sound(&state) {
             return Err(SavedError::Damaged("a number in it is out of bounds"));
         }
-        let before = self.model.terrain.edits().clone();
         if !self.model.terrain.put_edits(saved.edits) {
             return Err(SavedError::Damaged("its ground is none"));
         }
@@ -186,17 +262,17 @@ impl World {
         let layered = saved.layered.into_iter().zip(&self.model.layered);
         let layered: Result<Vec<_>, _> =
             layered.map(|(saved, stand)| layered::restored(stand, saved, self.scene.budget.touched_plants, state.step)).collect();
-        match restored.and_then(|stands| layered.map(|layered| (stands, layered))) {
-            Ok((stands, layered)) => {
-                self.state = State { stands, layered, ..state };
-                self.find_plants();
-            }
-            Err(error) => {
-                self.model.terrain.put_edits(before);
-                return Err(error);
-            }
-        }
+        self.state = State { stands: restored?, layered: layered?, ..state };
+        self.find_plants();
         Ok(())
+    }
+
+    fn tuning_of(&self, saved: &SavedTuning) -> Option<Tuning> {
+        let from: Response = scene::options().from_str(&saved.from).ok()?;
+        let stand = usize::try_from(saved.stand).ok().filter(|stand| *stand < self.scene.stands.len())?;
+        self.scene.check_stand(stand, &Stand { response: Some(from.clone()), ..self.scene.stands[stand].clone() }).ok()?;
+        let tuning = Tuning { stand, from, begin: saved.begin, steps: saved.steps };
+        (saved.steps < 1 << 40 && saved.begin < 1 << 53).then_some(tuning)
     }
 
     fn same_scene(&self, saved: &Saved) -> Result<(), SavedError> {
@@ -204,7 +280,7 @@ impl World {
             ("interactors", saved.bodies.len() as u64, self.state.bodies.len() as u64),
             ("stands", saved.stands.len() as u64, self.model.stands.len() as u64),
             ("stands of meshes", saved.layered.len() as u64, self.model.layered.len() as u64),
-            ("fluids", saved.fluids.len() as u64, self.model.fluids.len() as u64),
+            ("fluids", saved.fluids.len() as u64, saved.fluids_there(&self.scene) as u64),
         ];
         for (stand, model) in saved.layered.iter().zip(&self.model.layered) {
             counts.push(("cells of a plane", stand.waves.now.len() as u64, u64::from(model.harmonic.cells * model.harmonic.cells)));
@@ -213,10 +289,12 @@ impl World {
             counts.push(("cells a patch side", stand.cells.into(), model.cells.into()));
             counts.push(("segments", stand.segments.into(), model.lag.segments.into()));
         }
-        for (flows, model) in saved.fluids.iter().zip(&self.model.fluids) {
+        for (flows, model) in saved.fluids.iter().zip(&self.model.fluids).filter(|_| saved.fluids.len() == self.model.fluids.len()) {
             let expected = (model.texels() / 2) as u64;
             counts.extend(flows.iter().map(|flow| ("cells of air", flow.len() as u64, expected)));
         }
+        counts.push(("sources of wind", saved.winds.len() as u64, self.scene.wind.len() as u64));
+        counts.push(("stands in what was tended", saved.tended.len() as u64, self.growths().count() as u64));
         match counts.into_iter().find(|(_, found, expected)| found != expected) {
             Some((what, found, expected)) => Err(SavedError::OtherScene { what, found, expected }),
             None => Ok(()),
@@ -278,6 +356,19 @@ impl World {
         (stand.summaries, stand.counters) = (saved.summaries.into(), counters);
         Ok(stand)
     }
+}
+
+impl Saved {
+    /// Planes of air that blow.
+    fn fluids_there(&self, scene: &Scene) -> usize {
+        let winds = scene.wind.iter().zip(&self.winds);
+        winds.filter(|(source, state)| matches!(source, WindSource::Fluid(_)) && !state.vacant).count()
+    }
+}
+
+fn saved_tuning(tuning: &Tuning) -> SavedTuning {
+    let from = scene::text_of(&tuning.from);
+    SavedTuning { stand: tuning.stand as u32, from, begin: tuning.begin, steps: tuning.steps }
 }
 
 /// Flows as saved, if they could be.

@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use serde::{Deserialize, Serialize};
 
 use crate::placement::Growing;
+use crate::scene::Response;
 use crate::wind::fluid::FluidState;
 
 pub use layers::{Cut, Cuts, LayeredPlant, LayeredState, PlantKey, Waves};
@@ -39,12 +40,20 @@ pub struct State {
     pub stands: Vec<StandState>,
     /// One entry per stand of meshes, in the scene's order.
     pub layered: Vec<LayeredState>,
+    /// One entry per source of wind of the scene, in its order.
+    pub winds: Vec<WindState>,
+    /// Places of bodies that were removed, which the next ones take.
+    pub vacant: BTreeSet<u32>,
     /// The flow of each plane of air, in the scene's order; where a GPU steps, as of the last download.
     pub fluids: Vec<FluidState>,
     /// Points the last step cared about, m (x, z): the camera's, unless some are pinned.
     pub focuses: Vec<[f64; 2]>,
     /// Points set from code to be cared about instead of the camera's, m (x, z): for servers, replays and several players.
     pub pinned: Vec<[f64; 2]>,
+    /// Responses that glide to other numbers, in the order in which they were asked to.
+    pub tunings: Vec<Tuning>,
+    /// What grows again.
+    pub regrowing: Vec<Regrowth>,
     /// Steps whose edits by the scene are in the ground: `step`, and one more between planning a step and its end. A step that is
     /// planned again, because a backend could not take it, edits nothing twice.
     pub edited_steps: u64,
@@ -115,6 +124,65 @@ pub struct BodyState {
     pub clock: [f64; 2],
     /// Set from code: (ground m, yaw rad, clearance m), used at the next step by bodies on a driven path.
     pub driven: Option<([f64; 2], f64, f64)>,
+    /// It has been put somewhere else: the next step sweeps nothing of it.
+    pub jumps: bool,
+}
+
+/// A stand whose response glides from some numbers to those of the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tuning {
+    /// Its number in the scene.
+    pub stand: usize,
+    /// What it was, all said.
+    pub from: Response,
+    /// Steps done when it begins.
+    pub begin: u64,
+    /// Steps it takes.
+    pub steps: u64,
+}
+
+/// Ground on which something grows again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Regrowth {
+    /// Middle, m (x, z).
+    pub at: [f64; 2],
+    /// Radius, m.
+    pub radius: f32,
+    /// Names of the stands; none named: all but shrubs and trees.
+    pub stands: Vec<String>,
+    /// Times that it still grows.
+    pub ticks: u64,
+}
+
+/// A source of wind: how strong it is when.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct WindState {
+    /// Another number for every source that ever blew: its gusts are those of this number.
+    pub number: u32,
+    /// Its strength, 0 to 1, when it begins to change, and when that is over.
+    pub levels: [f32; 2],
+    /// Steps done when it begins to change.
+    pub begin: u64,
+    /// Steps that takes.
+    pub steps: u64,
+    /// It is gone, and the next one may have its place.
+    pub vacant: bool,
+}
+
+impl WindState {
+    /// Its strength after so many steps, 0 to 1.
+    pub fn level(&self, step: f64) -> f32 {
+        let [from, to] = self.levels;
+        if self.vacant {
+            return 0.0;
+        }
+        let share = (step - self.begin as f64) / (self.steps.max(1) as f64);
+        if self.steps == 0 || share >= 1.0 {
+            return to;
+        }
+        let share = if share > 0.0 { share as f32 } else { 0.0 };
+        from + (to - from) * share * share * (3.0 - 2.0 * share)
+    }
 }
 
 /// Patches of one stand.

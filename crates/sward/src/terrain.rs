@@ -171,7 +171,8 @@ impl Terrain {
     /// Makes room for edits, so that none of them can fail for want of it. Errors: they lie too far apart.
     pub fn reserve_edits(&mut self, edits: &[Edit]) -> Result<(), TerrainError> {
         let base = self.heights.len();
-        edits.iter().try_for_each(|edit| self.edits.reserve(edit.at, f64::from(edit.radius), base))
+        let mut edits = edits.iter().filter(|edit| edit.change.is_of_ground());
+        edits.try_for_each(|edit| self.edits.reserve(edit.at, f64::from(edit.radius), base))
     }
 
     /// Changes the ground under a brush; its time is not looked at. The answer is the least and greatest x and z \[m\] between which

@@ -1,12 +1,14 @@
 //! Where the camera is: a focus of the simulation and the eye of the picture.
 
+use serde::{Deserialize, Serialize};
+
 use crate::interaction::Pose;
 use crate::math;
 use crate::model::Model;
 use crate::scene::Scene;
 
 /// A camera at one moment, m from the origin patch's corner, f64.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct View {
     /// Eye, m; y is absolute.
     pub eye: [f64; 3],

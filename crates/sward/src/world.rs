@@ -3,6 +3,7 @@
 mod air;
 mod asked;
 mod bodies;
+mod inputs;
 mod kept;
 mod layered;
 mod rescene;
@@ -19,10 +20,11 @@ use crate::model::{Assets, Model, StandModel, rebased};
 use crate::plan::{ContactPair, PatchPlan, Plan, SheetPlan, StandPlan, around, patches_under, weights};
 use crate::response::{Stage, chain, continuum, harmonic, oscillator, springs};
 use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
-use crate::state::{BodyState, NONE, PatchKey, SheetPool, Sheets, StandState, State, Summary, TILE};
+use crate::state::{BodyState, NONE, PatchKey, SheetPool, Sheets, StandState, State, Summary, TILE, WindState};
 use crate::terrain::TerrainError;
 use crate::view::View;
 use crate::wind::fluid::FluidState;
+pub use inputs::{Input, Log, LogError};
 pub use kept::{Fate, Kept};
 use sheets::Near;
 
@@ -57,18 +59,25 @@ pub struct World {
     pub viewed: Option<View>,
     /// What bodies look like from six sides, on the CPU: [`crate::model::BodyMaps::texels`] as of the last step.
     pub texels: Arc<Vec<[f32; 4]>>,
+    /// What hosts have done to the world since [`World::record`]; `None` records nothing.
+    pub log: Option<Log>,
 }
 
 impl World {
     /// Compiles a scene and puts everything at rest at time 0. All positions of a world are metres from the corner of the scene's
     /// origin patch: what the author wrote is rebased here, once, in f64.
     pub fn new(scene: Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
-        let scene = rebased(scene);
+        Self::compiled(rebased(scene), assets)
+    }
+
+    /// The same of a scene whose positions are counted from the origin patch already.
+    pub(crate) fn compiled(scene: Scene, assets: &dyn Assets) -> Result<Self, SceneError> {
         let model = Model::compile(&scene, assets)?;
         let fluids = model.fluids.iter().map(|fluid| FluidState::still(fluid.model.side)).collect();
-        let state = State { bodies: vec![BodyState::default(); scene.interactors.len()], fluids, ..State::default() };
+        let (bodies, winds) = (vec![BodyState::default(); scene.interactors.len()], WindState::all(&scene));
+        let state = State { bodies, winds, fluids, ..State::default() };
         let texels = Arc::clone(&model.maps.texels);
-        let mut world = Self { scene, model, state, lanes: Lanes::default(), viewed: None, texels };
+        let mut world = Self { scene, model, state, lanes: Lanes::default(), viewed: None, texels, log: None };
         world.apply_edits(f64::NEG_INFINITY, 0.0);
         world.state.stands = world.model.stands.iter().map(|stand| world.empty_stand(stand)).collect();
         for index in 0..world.state.bodies.len() {
@@ -124,9 +133,11 @@ impl World {
 
     /// The camera `behind` steps (0 to 1) before the state.
     pub fn camera_before(&self, behind: f64) -> View {
-        if let Some(view) = self.viewed {
-            return view;
-        }
+        self.viewed.unwrap_or_else(|| self.scene_camera(behind))
+    }
+
+    /// The scene's own camera `behind` steps (0 to 1) before the state.
+    fn scene_camera(&self, behind: f64) -> View {
         let scene = &self.scene;
         let followed = scene.camera.follow.as_ref().and_then(|name| scene.interactors.iter().position(|body| &body.name == name));
         let pose = followed.and_then(|body| self.pose_before(body, behind));
@@ -168,7 +179,10 @@ impl World {
 
     /// Ground → bodies → wind → activation: everything about the coming step that is decided before a cell moves.
     pub fn plan(&mut self) -> Plan {
+        self.note_view();
         self.edit_ground();
+        self.fade_winds();
+        let retuned = self.glide();
         let moving = self.move_bodies();
         let camera = self.camera();
         self.look_from(&camera);
@@ -181,6 +195,7 @@ impl World {
             let given = self.share_sheets(index, &near);
             let mut plan = self.plan_stand(index, &footprints, &solids);
             self.plan_sheets(index, &solids, &near, &given, &mut plan);
+            plan.rebase = retuned.contains(&index);
             stands.push(plan);
         }
         let maps = self.moving_maps(&stands);
@@ -246,8 +261,16 @@ impl World {
             stand.counters.resampled += self.state.resampled.iter().filter(|patch| stand.awake.contains_key(*patch)).count() as u64;
         }
         self.state.resampled.clear();
+        self.rested();
         self.state.step += 1;
         self.end_layered();
+    }
+
+    /// What has just changed of stands whose plants swing by themselves is known now.
+    pub(crate) fn rested(&mut self) {
+        for oscillator in self.model.stands.iter_mut().filter_map(|stand| stand.oscillator.as_mut()) {
+            (oscillator.former, oscillator.aired) = (None, false);
+        }
     }
 
     /// Moves a body on a driven path: ground position \[m\], yaw \[rad\], clearance \[m\]. Takes effect in the next step. A body moved
@@ -261,21 +284,29 @@ impl World {
             && let Some(state) = self.state.bodies.get_mut(body)
         {
             state.driven = Some((ground, yaw, clearance));
+            self.note(|| Input::Drive { body, at: ground, yaw, clearance });
         }
         driven && near
     }
 
-    /// Changes the ground under a brush; the edit's `time` is not looked at. Pictures show it at once; bodies, awake patches and plants
-    /// follow in the next step. It is part of the state, and saved with it. What the scene itself edits needs no such call.
+    /// Changes the ground under a brush, or cuts, burns or lets grow again what grows there; the edit's `time` is not looked at. Pictures show it at
+    /// once; bodies, awake patches and plants follow in the next step. It is part of the state, and saved with it. What the scene itself edits needs no
+    /// such call.
     ///
     /// # Errors
     /// A number out of its range, or all edits together lie too far apart; then nothing has changed.
-    pub fn edit_terrain(&mut self, edit: &Edit) -> Result<(), SceneError> {
+    pub fn edit(&mut self, edit: &Edit) -> Result<(), SceneError> {
         edit.check(&Trail::default())?;
-        self.change_ground(edit).map_err(|error| SceneError::in_file("", error.to_string()))
+        self.change_ground(edit).map_err(|error| SceneError::in_file("", error.to_string()))?;
+        self.note(|| Input::Edit(edit.clone()));
+        Ok(())
     }
 
     fn change_ground(&mut self, edit: &Edit) -> Result<(), TerrainError> {
+        if !edit.change.is_of_ground() {
+            self.tend(edit);
+            return Ok(());
+        }
         let [low, high] = self.model.terrain.edit(edit)?;
         let patch = |metres: f64| (metres / self.model.patch_side).floor() as i32;
         for z in patch(low[1])..=patch(high[1]) {
@@ -289,6 +320,9 @@ impl World {
     /// The scene's edits of the coming step, once however often it is planned, and the patches that all edits since the last one touch.
     fn edit_ground(&mut self) {
         let next = self.state.step + 1;
+        if self.state.edited_steps < next {
+            self.regrow();
+        }
         self.apply_edits(self.state.edited_steps as f64 * self.model.dt, next as f64 * self.model.dt);
         self.state.edited_steps = next;
         let edited = std::mem::take(&mut self.state.edited);
@@ -377,6 +411,7 @@ impl World {
             pairs: Vec::new(),
             solids: Solids::default(),
             sheets: SheetPlan::default(),
+            rebase: false,
         };
         let mut reached: BTreeMap<PatchKey, Vec<ContactPair>> = BTreeMap::new();
         for footprint in footprints {
@@ -414,6 +449,7 @@ impl World {
                 lag: awake.lag,
                 neighbours: [slot(-1, 0), slot(1, 0), slot(0, -1), slot(0, 1)],
                 keep: keep(awake),
+                aired: stand.oscillator.as_ref().is_some_and(|oscillator| oscillator.aired),
                 woken: awake.woken,
                 edited: self.state.resampled.contains(patch),
                 lag_woken: awake.lag_woken,

@@ -8,6 +8,7 @@ mod area;
 mod comb;
 mod image;
 mod near;
+mod tended;
 
 use std::sync::Arc;
 
@@ -15,6 +16,7 @@ pub use area::Outline;
 pub use comb::{Comb, DirectionImage};
 pub use image::MaskImage;
 pub use near::{GrowthBlock, GrowthRecord, MOST_RECORDS, Near, cover_at};
+pub use tended::{Tended, WHOLE};
 
 use crate::placement::{self, Growing, PlacementParameters};
 use crate::terrain::Terrain;
@@ -53,6 +55,8 @@ pub struct Growth {
     pub slopes: Option<Slopes>,
     /// How it lies; of two that say something of a place the latter holds.
     pub combs: Vec<Arc<Comb>>,
+    /// What was cut, burnt or has grown again.
+    pub tended: Tended,
 }
 
 /// Height in [`crate::state::Ground`] of a cell where nothing grows, m: far below every body, so none finds plants to push.
@@ -61,7 +65,7 @@ pub const BARE: f32 = -1e9;
 impl Growth {
     /// It grows everywhere.
     pub fn is_free(&self) -> bool {
-        self.limits.is_empty() && self.slopes.is_none() && self.combs.is_empty()
+        self.limits.is_empty() && self.slopes.is_none() && self.combs.is_empty() && self.tended.changes() == 0
     }
 
     /// What of it concerns a square of `side` \[m\] whose corner is at `corner` \[m\]; `None` where it grows freely.
@@ -91,11 +95,13 @@ impl Growth {
         let corner = patch.map(|along| f64::from(along) * patch_side);
         let near = self.near(corner, patch_side);
         let combs: Vec<&Comb> = self.combs.iter().map(|comb| &**comb).filter(|comb| comb.touches(corner, patch_side)).collect();
+        let tended = self.tended.map(patch);
         if near.is_none() && combs.is_empty() {
-            return None;
+            // What says nothing more of a plant than its share.
+            return tended.map(|shares| shares.iter().map(|share| Growing::of_share(*share)).collect());
         }
         let near = near.unwrap_or_default();
-        let grow = |index: u32| {
+        let by_itself = |index: u32| {
             let cell = [index % placement.cells, index / placement.cells];
             let Some(plant) = placement::plant(placement, patch, cell) else { return Growing::default() };
             let [cover, height] = near.growth_at(plant.root, plant.height);
@@ -114,15 +120,26 @@ impl Growth {
                 }
             }
         };
-        Some((0..placement.cells * placement.cells).map(grow).collect())
+        let whole = (0..placement.cells * placement.cells).map(by_itself);
+        Some(match tended {
+            None => whole.collect(),
+            Some(shares) => whole.zip(shares).map(|(growing, share)| tended::left(growing, *share)).collect(),
+        })
     }
 
     /// Whether nothing at all grows at the middle of each cell, row by row; `None` where there is no such cell.
     pub fn bare(&self, cells: u32, terrain: &Terrain, patch: [i32; 2], patch_side: f64) -> Option<Box<[bool]>> {
         let corner = patch.map(|along| f64::from(along) * patch_side);
-        let near = self.near(corner, patch_side)?;
+        let (near, tended) = (self.near(corner, patch_side), self.tended.map(patch));
+        if near.is_none() && tended.is_none() {
+            return None;
+        }
+        let near = near.unwrap_or_default();
         let spacing = patch_side / f64::from(cells);
         let bare = |index: u32| {
+            if tended.is_some_and(|shares| shares[index as usize] == 0) {
+                return true;
+            }
             let local = [index % cells, index / cells].map(|at| (f64::from(at) + 0.5) * spacing);
             // A plant of no height passes below everything that has an underside.
             near.growth_at(local.map(|metres| metres as f32), 0.0)[0] <= 0.0

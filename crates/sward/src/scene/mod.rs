@@ -70,7 +70,7 @@ pub use camera::{Camera, CameraKey};
 pub use chain::{BladeByBlade, Chain, ChainOverrides, DragPower};
 pub use continuum::{Continuum, ContinuumOverrides, Lag};
 pub use detail::Detail;
-pub use edit::{Change, Edit, Flatten, Raise};
+pub use edit::{Change, Cut, Edit, Flatten, Raise, Regrow};
 pub use environment::{Environment, LightVolume};
 pub use error::{Problem, SceneError, Trail};
 pub use exclusion::{Area, Disc, Exclusion, Mask, Outline, Rectangle, Road};
@@ -172,19 +172,49 @@ impl Scene {
         options().from_str(text)
     }
 
+    /// Checks a body that takes place `place` of the interactors, or the next one, while the scene runs.
+    pub(crate) fn check_body(&self, place: usize, body: &Interactor) -> Result<(), SceneError> {
+        Ok(rules::body_in(self, place, body)?)
+    }
+
+    /// Checks a path for body number `place`.
+    pub(crate) fn check_path(&self, place: usize, path: &Path) -> Result<(), SceneError> {
+        Ok(rules::path_of(place, path)?)
+    }
+
+    /// Checks sources in place of the scene's own.
+    pub(crate) fn check_wind(&self, sources: &Vec<WindSource>) -> Result<(), SceneError> {
+        Ok(rules::winds_in(sources, &self.interactors)?)
+    }
+
+    /// Checks a stand that takes place `place`.
+    pub(crate) fn check_stand(&self, place: usize, stand: &Stand) -> Result<(), SceneError> {
+        Ok(rules::stand_in(place, stand)?)
+    }
+
     fn problem(&self) -> Option<Problem> {
         self.check(&Trail::default()).and_then(|()| rules::check(self)).err()
     }
 }
 
+/// A response as scenes write it, like `Continuum(frequency: 1.2)`: for hosts that tune stands ([`crate::world::World::tune`]).
+///
+/// # Errors
+/// What is wrong with the text.
+pub fn response(text: &str) -> Result<Response, SceneError> {
+    let response: Response = options().from_str(text).map_err(|error| SceneError::from_reader(&error, text, "response"))?;
+    response.check(&Trail::default().key("response"))?;
+    Ok(response)
+}
+
 /// The dialect of RON that scenes are written in: no `Some(…)`, no doubled brackets.
-fn options() -> ron::Options {
+pub(crate) fn options() -> ron::Options {
     ron::Options::default()
         .with_default_extension(Extensions::IMPLICIT_SOME | Extensions::UNWRAP_NEWTYPES | Extensions::UNWRAP_VARIANT_NEWTYPES)
 }
 
 /// A value as it would be written in a scene, on one line.
-fn text_of<T: Value>(value: &T) -> String {
+pub(crate) fn text_of<T: Value>(value: &T) -> String {
     options().to_string(value).unwrap_or_default()
 }
 

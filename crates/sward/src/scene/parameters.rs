@@ -178,6 +178,10 @@ macro_rules! parameters {
                 Ok(())
             }
 
+            fn towards(&self, other: &Self, share: f64) -> Self {
+                Self { $($field: <$type as $crate::scene::Value>::towards(&self.$field, &other.$field, share)),* }
+            }
+
             fn inspect(&mut self, info: &$crate::scene::FieldInfo, inspector: &mut dyn $crate::scene::Inspector) -> bool {
                 inspector.group(info, self)
             }
@@ -255,6 +259,12 @@ macro_rules! parameters_with_overrides {
                 Self {$(
                     $field: overrides.$field.clone().unwrap_or_else(|| self.$field.clone()),
                 )*}
+            }
+
+            /// Overrides that say all of it.
+            #[must_use]
+            pub fn said(&self) -> $Overrides {
+                $Overrides { $($field: Some(self.$field.clone()),)* ..Default::default() }
             }
         }
     };
@@ -355,6 +365,16 @@ macro_rules! choices {
                     })+
                 }
                 Ok(())
+            }
+
+            fn towards(&self, other: &Self, share: f64) -> Self {
+                let _ = share;
+                match (self, other) {
+                    $($((Self::$variant(own @ $inner { .. }), Self::$variant(other)) => {
+                        Self::$variant(<$inner as $crate::scene::Value>::towards(own, other, share))
+                    })?)+
+                    _ => self.clone(),
+                }
             }
 
             fn inspect(&mut self, info: &$crate::scene::FieldInfo, inspector: &mut dyn $crate::scene::Inspector) -> bool {

@@ -5,7 +5,9 @@ mod wind;
 use super::error::{Problem, Trail};
 use super::explain::suggest;
 use super::locate::locate;
-use super::{Area, Blade, Camera, Edit, FORMAT_VERSION, Interactor, Layered, Path, PlantMesh, Scene, Shape, Stand, Terrain};
+use super::{
+    Area, Blade, Camera, FORMAT_VERSION, Interactor, Layered, Path, PlantMesh, Scene, Shape, Stand, Terrain, Value, WindSource,
+};
 
 type Checked = Result<(), Problem>;
 
@@ -21,7 +23,7 @@ pub(super) fn check(scene: &Scene) -> Checked {
     each(&scene.stands, &stands, stand)?;
     unique(scene.stands.iter().map(Stand::label), &stands, "stands")?;
     growth(scene)?;
-    edits(&scene.edits)?;
+    edits(scene)?;
     let interactors = Trail::default().key("interactors");
     each(&scene.interactors, &interactors, interactor)?;
     unique(scene.interactors.iter().map(|body| body.name.clone()), &interactors, "interactors")?;
@@ -194,16 +196,18 @@ const EDIT_MARGIN: f64 = 36.0;
 /// Largest rectangle round all edits, m².
 const EDITED: f64 = 524_288.0;
 
-fn edits(edits: &[Edit]) -> Checked {
+fn edits(scene: &Scene) -> Checked {
+    let trail = Trail::default().key("edits");
+    each(&scene.edits, &trail, |edit, trail| known_stands(&edit.stands, &scene.stands, trail))?;
     let (mut low, mut high) = ([f64::MAX; 2], [f64::MIN; 2]);
-    for (index, edit) in edits.iter().enumerate() {
+    for (index, edit) in scene.edits.iter().enumerate().filter(|(_, edit)| edit.change.is_of_ground()) {
         for axis in 0..2 {
             low[axis] = low[axis].min(edit.at[axis] - f64::from(edit.radius));
             high[axis] = high[axis].max(edit.at[axis] + f64::from(edit.radius));
         }
         let [x, z] = [0, 1].map(|axis| high[axis] - low[axis]);
         if (x + EDIT_MARGIN) * (z + EDIT_MARGIN) > EDITED {
-            let place = Trail::default().key("edits").index(index).key("at");
+            let place = trail.index(index).key("at");
             let message = format!("the edits up to this one span {x} m x {z} m");
             return Err(Problem::at(place, message).help("keep them within 680 m x 680 m of each other"));
         }
@@ -222,6 +226,41 @@ fn known_stands(names: &[String], stands: &[Stand], trail: &Trail) -> Checked {
         }
         None => Ok(()),
     }
+}
+
+/// Whether a body may take place `place` (or the next one) of a scene's.
+pub(super) fn body_in(scene: &Scene, place: usize, body: &Interactor) -> Checked {
+    let trail = Trail::default().key("interactors").index(place);
+    body.check(&trail)?;
+    interactor(body, &trail)?;
+    let named = |other: &(usize, &Interactor)| other.0 != place && !body.name.is_empty() && other.1.name == body.name;
+    match scene.interactors.iter().enumerate().find(named) {
+        Some(_) => {
+            let message = format!("two interactors are called `{}`", body.name);
+            Err(Problem::at(trail.key("name"), message).help("give one of them another `name`"))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Whether a path may be that of body number `place`.
+pub(super) fn path_of(place: usize, given: &Path) -> Checked {
+    let trail = Trail::default().key("interactors").index(place);
+    given.check(&trail.clone().key("path"))?;
+    path(given, &trail)
+}
+
+/// Whether the wind of a scene may be these sources.
+pub(super) fn winds_in(sources: &Vec<WindSource>, interactors: &[Interactor]) -> Checked {
+    sources.check(&Trail::default().key("wind"))?;
+    wind::check(sources, interactors)
+}
+
+/// Whether a stand of a scene may be so.
+pub(super) fn stand_in(place: usize, given: &Stand) -> Checked {
+    let trail = Trail::default().key("stands").index(place);
+    given.check(&trail)?;
+    stand(given, &trail)
 }
 
 fn interactor(body: &Interactor, trail: &Trail) -> Checked {

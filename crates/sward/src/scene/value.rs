@@ -32,7 +32,7 @@ pub struct FieldInfo {
 }
 
 /// A value that can stand behind a field of a scene.
-pub trait Value: Serialize + for<'de> Deserialize<'de> {
+pub trait Value: Clone + Serialize + for<'de> Deserialize<'de> {
     /// The kind of value, in words (Markdown).
     fn kind() -> String;
 
@@ -50,6 +50,12 @@ pub trait Value: Serialize + for<'de> Deserialize<'de> {
     /// The first number found outside its range.
     fn check(&self, _trail: &Trail) -> Result<(), Problem> {
         Ok(())
+    }
+
+    /// This value a `share` (0 to 1) of the way to another: its numbers with a fraction are in between, all else is as here.
+    #[must_use]
+    fn towards(&self, _other: &Self, _share: f64) -> Self {
+        self.clone()
     }
 
     /// Hands this value to an inspector, as the field that `info` describes. Returns whether something has changed.
@@ -128,7 +134,7 @@ impl<'de> Deserialize<'de> for Key {
 }
 
 macro_rules! number {
-    ($($type:ty, $kind:literal;)*) => {$(
+    ($($type:ty, $kind:literal $(, $towards:item)?;)*) => {$(
         impl Value for $type {
             fn kind() -> String {
                 $kind.to_owned()
@@ -139,6 +145,7 @@ macro_rules! number {
                 let (low, high) = (low as $type, high as $type);
                 (!(*self >= low && *self <= high)).then(|| self.to_string())
             }
+            $($towards)?
             fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool {
                 inspect::number(self, info, inspector)
             }
@@ -159,8 +166,13 @@ macro_rules! number {
 }
 
 number! {
-    f32, "number";
-    f64, "number";
+    f32, "number", fn towards(&self, other: &Self, share: f64) -> Self {
+        f64::from(*self).towards(&f64::from(*other), share) as f32
+    };
+    f64, "number", fn towards(&self, other: &Self, share: f64) -> Self {
+        // So that the whole way leads to the other number, to the bit.
+        if share < 1.0 { *self + (*other - *self) * share } else { *other }
+    };
     u32, "whole number";
     i32, "whole number";
 }
@@ -209,6 +221,9 @@ macro_rules! vector {
             }
             fn outside(&self, range: Option<(f64, f64)>) -> Option<String> {
                 self.iter().find_map(|part| part.outside(range))
+            }
+            fn towards(&self, other: &Self, share: f64) -> Self {
+                std::array::from_fn(|axis| self[axis].towards(&other[axis], share))
             }
             fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool {
                 inspect::vector(self, info, inspector)
@@ -264,6 +279,12 @@ impl<T: Value> Value for Option<T> {
     }
     fn check(&self, trail: &Trail) -> Result<(), Problem> {
         self.as_ref().map_or(Ok(()), |inner| inner.check(trail))
+    }
+    fn towards(&self, other: &Self, share: f64) -> Self {
+        match (self, other) {
+            (Some(own), Some(other)) => Some(own.towards(other, share)),
+            _ => self.clone(),
+        }
     }
     fn inspect(&mut self, info: &FieldInfo, inspector: &mut dyn Inspector) -> bool {
         inspector.optional(info, self)

@@ -182,7 +182,8 @@ impl Edits {
         let radius = f64::from(edit.radius);
         let hardness = f64::from(edit.hardness);
         let target = match &edit.change {
-            Change::Raise(_) => 0.0,
+            // What grows is not of the ground.
+            Change::Raise(_) | Change::Cut(_) | Change::Burn | Change::Regrow(_) => 0.0,
             Change::Flatten(flatten) => flatten.height.map_or_else(|| base(edit.at) + self.at_ground(edit.at).0, f64::from),
         };
         let span = |axis: usize| {
@@ -206,6 +207,7 @@ impl Edits {
                 let more = match &edit.change {
                     Change::Raise(raise) => f64::from(raise.height),
                     Change::Flatten(_) => target - base(ground) - f64::from(*height),
+                    Change::Cut(_) | Change::Burn | Change::Regrow(_) => 0.0,
                 };
                 *height = clamped((f64::from(*height) + more * weight) as f32, -1e5, 1e5);
             }

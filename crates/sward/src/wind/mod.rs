@@ -50,6 +50,25 @@ pub enum Source {
     },
 }
 
+/// A source among others: which one it is, and how strong it is now.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blowing {
+    /// What moves the air.
+    pub source: Source,
+    /// Its gusts are those of this number, whatever blows beside it.
+    pub number: u32,
+    /// Share of its strength, 0 to 1.
+    pub level: f32,
+    /// Its place in the scene.
+    pub place: usize,
+}
+
+/// Sources at full strength, numbered in their order.
+pub fn all_blowing(sources: &[Source]) -> Vec<Blowing> {
+    let numbered = sources.iter().enumerate();
+    numbered.map(|(place, source)| Blowing { source: *source, number: place as u32, level: 1.0, place }).collect()
+}
+
 /// The wind of one step, everywhere.
 #[derive(Debug, Clone)]
 pub struct WindField {
@@ -108,14 +127,14 @@ impl WindField {
     /// The sum of `sources` at step number `step` of `dt` seconds, for nodes `node_spacing` metres apart.
     /// A source with a number that is not finite is left out.
     pub fn at(sources: &[Source], step: u64, dt: f64, node_spacing: f64) -> Self {
-        Self::before(sources, step, 0.0, dt, node_spacing)
+        Self::before(&all_blowing(sources), step, 0.0, dt, node_spacing)
     }
 
-    /// [`WindField::at`] some share of a step earlier: `behind` steps, for pictures of a moment between two steps.
-    pub fn before(sources: &[Source], step: u64, behind: f64, dt: f64, node_spacing: f64) -> Self {
+    /// The sum of sources, `behind` steps (0 to 1) before step number `step`: for pictures of a moment between two steps.
+    pub fn before(sources: &[Blowing], step: u64, behind: f64, dt: f64, node_spacing: f64) -> Self {
         let mut mean = [0.0; 2];
         let mut octaves = Vec::new();
-        for (index, source) in sources.iter().enumerate() {
+        for Blowing { source, number, level, .. } in sources {
             let (velocity, turbulence) = match *source {
                 Source::Uniform { velocity } => (velocity, 0.0),
                 Source::Natural { velocity, turbulence } => (velocity, turbulence),
@@ -123,8 +142,10 @@ impl WindField {
             if !(velocity[0].is_finite() && velocity[1].is_finite() && turbulence.is_finite()) {
                 continue;
             }
-            mean = [mean[0] + velocity[0], mean[1] + velocity[1]];
-            octaves.extend(noise::gusts(velocity, turbulence, index as u32, (step, behind), dt, node_spacing));
+            mean = [mean[0] + level * velocity[0], mean[1] + level * velocity[1]];
+            // They travel as fast, however strong they are.
+            let gusts = noise::gusts(velocity, turbulence, *number, (step, behind), dt, node_spacing);
+            octaves.extend(gusts.map(|octave| Octave { amplitude: level * octave.amplitude, ..octave }).filter(|_| *level > 0.0));
         }
         let dropped = octaves.len().saturating_sub(MAX_OCTAVES);
         if dropped > 0 {

@@ -8,8 +8,8 @@ use crate::interaction::{Station, station};
 use crate::math;
 use crate::model::{Blower, StandModel};
 use crate::response::{Stage, continuum};
-use crate::wind::fluid::{FluidPlan, Passing};
-use crate::wind::{Footprint, WindField};
+use crate::wind::fluid::{FluidPlan, FluidSource, Passing};
+use crate::wind::{Blowing, Footprint, WindField};
 
 impl World {
     /// The wind of the coming step on the nodes of a stand.
@@ -25,12 +25,22 @@ impl World {
     /// The wind on the nodes of patches of so many cells a side, each so many metres wide.
     pub(super) fn wind_on(&self, spacing: f64, cells: u32, behind: f64) -> WindField {
         let node = spacing * f64::from(continuum::NODE_CELLS);
-        let mut wind = WindField::before(&self.model.sources, self.state.step, behind, self.model.dt, node);
+        let mut wind = WindField::before(&self.blowing(behind), self.state.step, behind, self.model.dt, node);
         wind.images = self.model.images.clone();
         let fluids = self.model.fluids.iter().zip(&self.state.fluids);
         wind.fluids = fluids.map(|(fluid, flow)| fluid.field(flow, self.state.step, behind, node)).collect();
         wind.footprints = self.model.blowers.iter().filter_map(|blower| self.blown(blower, cells, node, behind)).collect();
         wind
+    }
+
+    /// The sources that are everywhere, as strong as they are.
+    pub(super) fn blowing(&self, behind: f64) -> Vec<Blowing> {
+        self.model.sources.iter().map(|blowing| Blowing { level: self.level(blowing.place, behind), ..*blowing }).collect()
+    }
+
+    /// How strong the source at a place of the scene is, 0 to 1.
+    fn level(&self, place: usize, behind: f64) -> f32 {
+        self.state.winds.get(place).map_or(1.0, |state| state.level(self.state.step as f64 - behind))
     }
 
     /// The footprint of a blower on the nodes of a stand; `None` where nothing reaches the ground.
@@ -45,7 +55,11 @@ impl World {
             None => station(&source.path, f64::from(source.height), self.time() - behind * self.model.dt),
         };
         let share = 1.0 - at.clearance / f64::from(source.ceiling);
-        let speed = source.speed * crate::math::clamped(share as f32, 0.0, 1.0);
+        let level = self.level(blower.place, behind);
+        if level == 0.0 {
+            return None;
+        }
+        let speed = level * source.speed * crate::math::clamped(share as f32, 0.0, 1.0);
         let (sine, cosine) = math::sin_cos_f64(at.yaw);
         let turn = [cosine as f32, sine as f32];
         let intervals = cells / continuum::NODE_CELLS;
@@ -54,7 +68,8 @@ impl World {
 
     /// What pushes each plane of air in the coming step.
     pub(super) fn plan_fluids(&self) -> Vec<FluidPlan> {
-        self.model.fluids.iter().map(|fluid| fluid.plan(self.state.step, self.passing())).collect()
+        let level = |fluid: &FluidSource| self.level(fluid.place, 0.0);
+        self.model.fluids.iter().map(|fluid| fluid.plan(self.state.step, level(fluid), self.passing())).collect()
     }
 
     /// The bodies at the end of the step, as the air meets them.

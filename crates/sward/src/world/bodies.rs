@@ -1,6 +1,6 @@
 //! Bodies of a step: where they are, and what of the ground they sweep.
 
-use super::{JUMP, World};
+use super::{Input, JUMP, World};
 use crate::interaction::solid::WorldSolid;
 use crate::interaction::{Contact, Footprint, Grid, Piece, Pose, pose_on_path, stand_on, swept, swept_between};
 use crate::model::StandModel;
@@ -9,7 +9,7 @@ use crate::scene::{Driven, Path};
 impl World {
     pub(super) fn pose(&self, index: usize, time: f64) -> Option<Pose> {
         let (interactor, body) = (&self.scene.interactors[index], &self.model.bodies[index]);
-        if time < interactor.from || time >= interactor.until {
+        if time < interactor.from || time >= interactor.until || self.state.vacant.contains(&(index as u32)) {
             return None;
         }
         let driven = match interactor.path {
@@ -37,6 +37,7 @@ impl World {
             }
         };
         interactor.path = Path::Driven(Driven { at: pose.ground, yaw: pose.yaw as f32 });
+        self.note(|| Input::TakeOver(body));
         let place = (pose.ground, pose.yaw, clearance);
         self.state.bodies[body].driven = Some(place);
         Some(place)
@@ -52,8 +53,9 @@ impl World {
                 let way = [to.ground[0] - from.ground[0], to.ground[1] - from.ground[1]];
                 (way[0] * way[0] + way[1] * way[1]).sqrt() > JUMP * self.model.dt
             };
+            let jumps = std::mem::take(&mut body.jumps);
             body.before = match (&body.pose, &next) {
-                (Some(from), Some(to)) if !jumped(from, to) => Some(*from),
+                (Some(from), Some(to)) if !jumps && !jumped(from, to) => Some(*from),
                 _ => next,
             };
             let elapsed = time - self.scene.interactors[index].from;

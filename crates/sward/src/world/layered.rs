@@ -41,7 +41,7 @@ impl World {
         LayeredState {
             notes: vec![waves.now.clone(); model.ring.notes as usize],
             waves,
-            drift: WindField::at(&self.model.sources, self.state.step, self.model.dt, 1.0).mean,
+            drift: WindField::before(&self.blowing(0.0), self.state.step, 0.0, self.model.dt, 1.0).mean,
             pool: SheetPool::new(self.scene.budget.touched_plants),
             ..LayeredState::default()
         }
@@ -61,14 +61,19 @@ impl World {
             let places = stand.places.iter().enumerate().filter(|(_, place)| there(place.at));
             let [low, high] = stand.placement.height;
             let chance = |number: usize, purpose| crate::math::unit(crate::math::hash(stand.placement.seed, number as i32, 0, 0, purpose));
+            let left = |at: [f64; 2]| {
+                let cell = |axis: usize| (at[axis] - corner[axis]) / stand.patch_side * f64::from(stand.placement.cells);
+                let index = cell(1) as usize * stand.placement.cells as usize + cell(0) as usize;
+                stand.growth.tended.map(patch).and_then(|shares| shares.get(index)).map_or(1.0, |share| f32::from(*share) / 255.0)
+            };
             let planted = places.map(|(number, place)| LayeredPlant {
                 key: (patch, number as u32),
                 root: stands(place.at),
-                height: place.height.unwrap_or(low + (high - low) * chance(number, 0)),
+                height: left(place.at) * place.height.unwrap_or(low + (high - low) * chance(number, 0)),
                 yaw: place.yaw,
                 tint: chance(number, 1),
             });
-            return planted.collect();
+            return planted.filter(|plant| plant.height > 0.0).collect();
         }
         if !in_field(self.model.field, patch) {
             return Vec::new();
@@ -252,7 +257,7 @@ impl World {
         let camera = self.camera();
         for index in 0..self.model.layered.len() {
             let stand = &self.model.layered[index];
-            let mean = WindField::at(&self.model.sources, self.state.step, self.model.dt, 1.0).mean;
+            let mean = WindField::before(&self.blowing(0.0), self.state.step, 0.0, self.model.dt, 1.0).mean;
             let (deep, dt) = (stand.harmonic.deep, self.model.dt as f32);
             let state = &mut self.state.layered[index];
             state.drift = drifted(state.drift, mean, deep, dt);

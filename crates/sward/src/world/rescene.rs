@@ -7,10 +7,11 @@ mod plants;
 use std::sync::Arc;
 
 use super::kept::{Fate, Kept};
-use super::{World, due};
+use super::{Input, World, due};
 use crate::model::{Assets, Model, rebased};
 use crate::scene::{Interactor, Scene, SceneError};
-use crate::state::{BodyState, State};
+use crate::response::harmonic::LayeredStand;
+use crate::state::{BodyState, State, WindState};
 use crate::terrain::Edits;
 use crate::wind::fluid::FluidState;
 
@@ -48,8 +49,10 @@ impl World {
     /// What is wrong with the scene or a file it names; the world is as it was, to the bit.
     pub fn rescene(&mut self, scene: Scene, assets: &dyn Assets) -> Result<Kept, SceneError> {
         scene.validate()?;
+        let authored = self.log.is_some().then(|| scene.clone());
         let scene = rebased(scene);
         let model = Model::compile(&scene, assets)?;
+        authored.into_iter().for_each(|scene| self.note(|| Input::Scene(Box::new(scene))));
         // Nothing fails from here on.
         let mut old = std::mem::take(&mut self.state);
         let texels = Arc::clone(&model.maps.texels);
@@ -62,7 +65,7 @@ impl World {
                 || scene.budget.beyond != self.scene.budget.beyond,
             ground: false,
         };
-        let mut next = Self { scene, model, state: State::default(), lanes: self.lanes, viewed: self.viewed, texels };
+        let mut next = Self { scene, model, state: State::default(), lanes: self.lanes, viewed: self.viewed, texels, log: self.log.take() };
         next.take_time(self, &mut old, changes);
         let ground = next.take_ground(self, &mut old, changes);
         changes.ground = !next.model.terrain.is_same(&self.model.terrain);
@@ -75,7 +78,10 @@ impl World {
 
     /// Time, and what does not depend on the scene.
     fn take_time(&mut self, before: &Self, old: &mut State, changes: Changes) {
+        // The same wind blows on as it does.
+        let (winds, same) = (WindState::all(&self.scene), before.scene.wind == self.scene.wind && !changes.paced);
         let state = &mut self.state;
+        state.winds = if same { std::mem::take(&mut old.winds) } else { winds };
         state.dropped_steps = old.dropped_steps;
         if changes.paced {
             state.step = (old.step as f64 * before.model.dt / self.model.dt).round() as u64;
@@ -92,6 +98,9 @@ impl World {
     fn take_ground(&mut self, before: &Self, old: &mut State, changes: Changes) -> Fate {
         let edited = before.model.terrain.edits();
         let same = before.scene.edits == self.scene.edits && before.model.terrain.is_like(&self.model.terrain);
+        if before.scene.edits == self.scene.edits && !changes.moved && !changes.divided {
+            self.take_growth(before, old);
+        }
         if same && !changes.moved && !changes.paced {
             if !changes.divided {
                 self.state.edited = old.edited.union(&old.resampled).copied().collect();
@@ -108,6 +117,22 @@ impl World {
         let usual = before.usual_edits(old.edited_steps);
         let added = self.model.terrain.add_beyond(edited, &usual);
         Fate::unless(&[(!added, SCATTERED)])
+    }
+
+    /// What was cut and burnt stays so in stands of the same name and cells, and grows again as it did.
+    fn take_growth(&mut self, before: &Self, old: &mut State) {
+        for stand in &mut self.model.stands {
+            if let Some(known) = before.model.stands.iter().find(|known| known.name == stand.name && known.cells == stand.cells) {
+                stand.growth.tended = known.growth.tended.clone();
+            }
+        }
+        for stand in &mut self.model.layered {
+            let alike = |known: &&LayeredStand| known.name == stand.name && known.placement.cells == stand.placement.cells;
+            if let Some(known) = before.model.layered.iter().find(alike) {
+                stand.growth.tended = known.growth.tended.clone();
+            }
+        }
+        self.state.regrowing = std::mem::take(&mut old.regrowing);
     }
 
     /// What the scene alone has edited after a number of steps.

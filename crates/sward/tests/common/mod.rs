@@ -72,6 +72,7 @@ impl Torus {
             lag: NONE,
             neighbours: [0; 4],
             keep: 1.0,
+            aired: false,
             woken: false,
             edited: false,
             lag_woken: false,
@@ -92,6 +93,7 @@ impl Torus {
             pairs: Vec::new(),
             solids: Solids::default(),
             sheets: Default::default(),
+            rebase: false,
         };
         let level = || vec![vec![0.0_f32; 4 * side * side].into_boxed_slice()];
         let cells = Cells { now: level(), old: level(), ground: vec![Ground::default()], ..Cells::default() };

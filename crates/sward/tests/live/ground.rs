@@ -16,7 +16,7 @@ fn edited() -> World {
     let mut world = RAISED.world();
     run(&mut world, 40);
     let edit = Edit { at: [-6.0, 1.0], radius: 4.0, change: Change::Raise(Raise { height: 2.0 }), ..Edit::default() };
-    world.edit_terrain(&edit).unwrap();
+    world.edit(&edit).unwrap();
     run(&mut world, 5);
     world
 }

@@ -2,6 +2,7 @@
 
 mod chance;
 mod ground;
+mod inputs;
 mod kept;
 mod shipped;
 

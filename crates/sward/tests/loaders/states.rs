@@ -29,7 +29,7 @@ fn edited() -> World {
         (time: 0.1, at: (3, 3), change: Raise(height: -0.3))]";
     let mut world = world("", "Uniform()", edits);
     world
-        .edit_terrain(&Edit { at: [-2.0, 1.0], radius: 1.5, change: Change::Raise(Raise { height: 0.5 }), ..Edit::default() })
+        .edit(&Edit { at: [-2.0, 1.0], radius: 1.5, change: Change::Raise(Raise { height: 0.5 }), ..Edit::default() })
         .expect("near");
     world
 }

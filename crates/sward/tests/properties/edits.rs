@@ -31,7 +31,7 @@ fn height_under_cells(world: &World, patch: [i32; 2]) -> f32 {
 fn ground_rises_smoothly_where_it_was_asked_and_nowhere_else() {
     for detail in ["", "detail: (amplitude: 0.3),"] {
         let (plain, mut world) = (parked(detail), parked(detail));
-        world.edit_terrain(&raise([40.0, -3.0], 5.0, 1.5)).unwrap();
+        world.edit(&raise([40.0, -3.0], 5.0, 1.5)).unwrap();
         let added = |x: f64, z: f64| world.model.terrain.height_at(x, z) - plain.model.terrain.height_at(x, z);
         assert!((added(40.0, -3.0) - 1.5).abs() < 0.01);
         assert!((added(42.5, -3.0) - 1.5 * 0.5625).abs() < 0.01, "(1 - 1/4)² of it half way");
@@ -53,17 +53,17 @@ fn ground_rises_smoothly_where_it_was_asked_and_nowhere_else() {
 #[test]
 fn flattened_ground_is_level() {
     let mut world = parked("");
-    world.edit_terrain(&raise([0.0, 0.0], 20.0, 4.0)).unwrap();
+    world.edit(&raise([0.0, 0.0], 20.0, 4.0)).unwrap();
     let level =
         Edit { at: [6.0, 0.0], radius: 8.0, hardness: 0.5, change: Change::Flatten(Flatten { height: Some(1.0) }), ..Edit::default() };
-    world.edit_terrain(&level).unwrap();
+    world.edit(&level).unwrap();
     for [x, z] in [[6.0, 0.0], [9.0, 1.0], [4.0, -3.0]] {
         assert!((world.model.terrain.height_at(x, z) - 1.0).abs() < 1e-4);
     }
     assert!(world.model.terrain.height_at(-4.0, 0.0) > 3.0, "control");
     let here = Edit { change: Change::Flatten(Flatten { height: None }), at: [-6.0, 0.0], ..level };
     let middle = world.model.terrain.height_at(-6.0, 0.0);
-    world.edit_terrain(&here).unwrap();
+    world.edit(&here).unwrap();
     assert!((world.model.terrain.height_at(-8.0, 1.0) - middle).abs() < 1e-4);
 }
 
@@ -73,7 +73,7 @@ fn a_parked_truck_and_its_cells_are_lifted_in_the_next_step() {
     run(&mut world, 10);
     let (hash, before) = (world.hash(), world.state.bodies[0].pose.unwrap().height);
     assert_eq!((height_under_cells(&world, [0, 0]), before), (0.0, 0.0));
-    world.edit_terrain(&raise([4.0, 4.0], 3.0, 0.8)).unwrap();
+    world.edit(&raise([4.0, 4.0], 3.0, 0.8)).unwrap();
     assert_eq!((world.hash(), height_under_cells(&world, [0, 0])), (hash, 0.0), "not before the next step");
     world.step();
     assert!((height_under_cells(&world, [0, 0]) - 0.8).abs() < 0.05 && world.state.bodies[0].pose.unwrap().height > 0.2);
@@ -83,7 +83,7 @@ fn a_parked_truck_and_its_cells_are_lifted_in_the_next_step() {
     assert_eq!((resampled, touched), (1, 1));
     run(&mut world, 30);
     assert_eq!(world.state.stands[0].counters.resampled, 1);
-    world.edit_terrain(&raise([400.0, 4.0], 3.0, 0.8)).unwrap();
+    world.edit(&raise([400.0, 4.0], 3.0, 0.8)).unwrap();
     world.step();
     assert_eq!(world.state.stands[0].counters.resampled, 1, "far from every awake patch");
 }
@@ -93,7 +93,7 @@ fn a_patch_that_wakes_later_has_the_new_ground() {
     let drive = "interactors: [(shape: Sphere(radius: 0.5), path: Driven(at: (100, 100)))]";
     let mut world = world(&format!("field: (patch_side: 8), stands: [(species: Meadow, cells: 32)], {drive}"));
     run(&mut world, 2);
-    world.edit_terrain(&raise([4.0, 4.0], 3.0, 0.8)).unwrap();
+    world.edit(&raise([4.0, 4.0], 3.0, 0.8)).unwrap();
     run(&mut world, 2);
     assert!(!world.state.stands[0].awake.contains_key(&[0, 0]), "asleep");
     world.drive(0, [4.0, 4.0], 0.0, 0.0);
@@ -110,7 +110,7 @@ fn saved_states_keep_the_ground() {
         let mut first = parked(scene);
         run(&mut first, 20);
         if by_hand {
-            first.edit_terrain(&raise([3.0, 4.0], 4.0, 0.7)).unwrap();
+            first.edit(&raise([3.0, 4.0], 4.0, 0.7)).unwrap();
         }
         let (saved, mut second, mut other) = (first.save(), parked(scene), parked(scene));
         second.restore(&saved).unwrap();
@@ -168,7 +168,7 @@ fn edits_have_the_room_that_the_terrain_leaves() {
     assert!(error.contains("`edits` is 64 m x 64 m, allowed is a rectangle round all of them of at most 512 square metres"), "{error}");
     assert!(full.edits().is_none());
     let mut smaller = parked("");
-    smaller.edit_terrain(&raise([0.0, 0.0], 20.0, 1.0)).unwrap();
+    smaller.edit(&raise([0.0, 0.0], 20.0, 1.0)).unwrap();
     let saved = smaller.save();
     assert_eq!(smaller.restore(&saved), Ok(()), "control");
     let mut tight = parked("");
@@ -179,7 +179,7 @@ fn edits_have_the_room_that_the_terrain_leaves() {
 #[test]
 fn impossible_edits_are_refused_and_change_nothing() {
     let mut world = parked("");
-    world.edit_terrain(&raise([0.0, 0.0], 3.0, 0.5)).unwrap();
+    world.edit(&raise([0.0, 0.0], 3.0, 0.5)).unwrap();
     let before = world.save();
     for (edit, words) in [
         (raise([f64::NAN, 0.0], 3.0, 0.5), "`at` is NaN m"),
@@ -187,7 +187,7 @@ fn impossible_edits_are_refused_and_change_nothing() {
         (raise([0.0, 0.0], 3.0, 1e9), "`height` is 1000000000 m"),
         (raise([90_000.0, 90_000.0], 3.0, 0.5), "at most 524288 square metres"),
     ] {
-        let error = world.edit_terrain(&edit).expect_err("refused").to_string();
+        let error = world.edit(&edit).expect_err("refused").to_string();
         assert!(error.contains(words), "{error}");
         assert_eq!(world.save(), before);
     }

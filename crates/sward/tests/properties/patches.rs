@@ -39,7 +39,7 @@ impl Sheet {
 
     /// The plan of a step; `joined` = neighbours see each other.
     fn plan(&self, step: u64, footprints: &[Footprint], joined: bool) -> StandPlan {
-        let wind = WindField::at(&self.model.sources, step, self.model.dt, self.stand.spacing * f64::from(continuum::NODE_CELLS));
+        let wind = WindField::before(&self.model.sources, step, 0.0, self.model.dt, self.stand.spacing * f64::from(continuum::NODE_CELLS));
         let mut plan = StandPlan {
             tile_wind: wind.clone(),
             wind,
@@ -49,6 +49,7 @@ impl Sheet {
             pairs: Vec::new(),
             solids: Solids::default(),
             sheets: Default::default(),
+            rebase: false,
         };
         for footprint in footprints {
             plan.contacts.push(Contact { edge_first: plan.edges.len() as u32, ..footprint.contact });
@@ -72,6 +73,7 @@ impl Sheet {
                     lag: NONE,
                     neighbours: around,
                     keep: 1.0,
+                    aired: false,
                     woken: step == 0,
                     edited: false,
                     lag_woken: false,

@@ -34,7 +34,7 @@ pub(crate) fn worlds() -> [World; 2] {
     let far = Edit { at: [-60.0, -50.0], radius: 5.0, change: Change::Raise(Raise { height: 2.0 }), ..Edit::default() };
     let near = Edit { at: [4.0, 10.0], radius: 3.0, change: Change::Raise(Raise { height: 0.2 }), ..Edit::default() };
     for edit in [level, far, near] {
-        now.edit_terrain(&edit).expect("within range");
+        now.edit(&edit).expect("within range");
     }
     (0..2).for_each(|_| now.step());
     [before, now]

@@ -217,7 +217,7 @@ pub(crate) fn plants_on_edited_ground(gpu: &Gpu) -> Verdict {
     // Before and after strokes of a brush that the studio follows: within its grid, and beyond it.
     for stroke in [None, Some(raise(1.0)), Some(raise(-40.0))] {
         if let Some(edit) = stroke {
-            world.edit_terrain(&edit)?;
+            world.edit(&edit)?;
         }
         studio.draw_before(gpu, &world, CellsAt::Cpu, 0.0, [32, 18])?;
         let (own, theirs) = (on_cpu(&world, 0.0), solved(gpu, &studio)?);

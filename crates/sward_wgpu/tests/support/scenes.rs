@@ -90,8 +90,8 @@ pub(crate) fn level_ground_is_raised(gpu: &Gpu) -> Verdict {
         agree("raised", &cpu, &other, true)?;
         ensure((cpu.state.stands[0].counters.resampled > 0) == raised, || "the edit is seen".to_owned())?;
         if cpu.state.step == 60 {
-            cpu.edit_terrain(&edit)?;
-            other.edit_terrain(&edit)?;
+            cpu.edit(&edit)?;
+            other.edit(&edit)?;
         }
     }
     let mut control = world(LAWN)?;

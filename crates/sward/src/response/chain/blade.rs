@@ -139,6 +139,11 @@ fn reach(blade: &Blade, mode: &Mode, i: usize) -> f64 {
     (i..n).map(|k| (2 * (k - i) + 1) as f64 * speed(k)).sum::<f64>() / (above * above * speed(i))
 }
 
+/// First frequency of a blade's chain, Hz: as given, or the full chain's; `None` where that buckles.
+pub fn first_frequency(blade: &Blade) -> Option<f64> {
+    blade.frequency.or_else(|| first_mode(blade).map(|mode| mode.frequency))
+}
+
 /// Numbers of the simplified chain of a blade (methods §3.1): `k̂_i = k_i/N_i²`, `w_i = 2πf₁(1 + 0.2(i−1))`,
 /// `Ĵ_i = (k̂_i − m g l)/w_i²`, `ĉ_i = 2ζ w_i Ĵ_i`; and [`JointCoefficients::reach`].
 pub fn calibrate(blade: &Blade) -> Result<ChainCoefficients, ChainError> {

@@ -34,7 +34,7 @@ mod step;
 mod virtual_blades;
 mod virtual_inertia;
 
-pub use blade::{Blade, ChainCoefficients, DragLaw, JointCoefficients, MOST_SEGMENTS, calibrate};
+pub use blade::{Blade, ChainCoefficients, DragLaw, JointCoefficients, MOST_SEGMENTS, calibrate, first_frequency};
 pub use error::ChainError;
 pub use frame::{Frame, UPRIGHT, bend_towards, planted, product, rotation, to_local, to_world};
 pub use full::FullChain;

@@ -41,7 +41,8 @@ fn with_levels<'a, 'b>(
     paired
 }
 
-/// The ground under the cells of a patch: the numbers every backend uses for limits and contact. Where nothing grows it lies far below.
+/// The ground under the cells of a patch: the numbers every backend uses for limits and contact. Where nothing grows it lies far below; where plants are
+/// cut it lies lower by what they lack, so that bodies pass over them as high as they do.
 pub fn ground_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Ground {
     let mut ground = shape_of(terrain, stand, patch);
     let bare = if patch == TILE { None } else { stand.growth.bare(stand.cells, terrain, patch, stand.patch_side) };
@@ -50,6 +51,13 @@ pub fn ground_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Grou
         ground.values = ground.planes(area).into();
         for (height, _) in ground.values[2 * area..].iter_mut().zip(&bare).filter(|(_, bare)| **bare) {
             *height = BARE;
+        }
+    }
+    if let Some(shares) = stand.growth.tended.map(patch).filter(|_| patch != TILE) {
+        let area = shares.len();
+        ground.values = ground.planes(area).into();
+        for (height, share) in ground.values[2 * area..].iter_mut().zip(shares) {
+            *height -= stand.coefficients.plant_height * (1.0 - f32::from(*share) / 255.0);
         }
     }
     ground

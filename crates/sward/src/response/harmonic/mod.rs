@@ -27,6 +27,7 @@ pub use history::{Moment, REMEMBERED, Ring};
 pub use lag::{drifted, lags};
 pub use plane::HarmonicCoefficients;
 pub use stand::{HarmonicModel, LayeredStand};
+pub(crate) use stand::largest;
 pub use step::{air, step_layered};
 pub use touch::{TOUCH_SIDE, step_touched};
 pub use view::{Axes, seen};

@@ -15,7 +15,7 @@ use crate::placement::PlacementParameters;
 use crate::scene::{Harmonic, Layered, Layers, Place};
 use crate::specimen::Specimen;
 use crate::wind::fluid::{FluidSource, FluidState};
-use crate::wind::{Source, WindField};
+use crate::wind::{Blowing, Source, WindField};
 
 /// The compiled half of the response.
 #[derive(Clone, Debug)]
@@ -43,15 +43,15 @@ pub struct HarmonicModel {
     /// Depth of the deepest plant, m.
     pub deep: f32,
     /// Wind sources along the plane.
-    sources: Vec<Source>,
+    sources: Vec<Blowing>,
     /// Mean wind along it, m/s.
     mean: f32,
 }
 
 impl HarmonicModel {
     /// Of a stand whose largest plant is `size` \[m\] wide and high, in the wind of `sources`.
-    pub fn new(harmonic: &Harmonic, size: [f32; 2], sources: &[Source], dt: f64) -> Self {
-        let wind = WindField::at(sources, 0, dt, 1.0).mean;
+    pub fn new(harmonic: &Harmonic, size: [f32; 2], sources: &[Blowing], dt: f64) -> Self {
+        let wind = WindField::before(sources, 0, 0.0, dt, 1.0).mean;
         let calm = wind == [0.0; 2];
         let heading = harmonic.heading.unwrap_or(if calm { 0.0 } else { crate::math::atan2(wind[1], wind[0]) });
         let (sine, cosine) = crate::math::sin_cos(heading);
@@ -62,16 +62,7 @@ impl HarmonicModel {
         let touch_cell = upper(upper(size[0], size[1]), 0.05) / TOUCH_SIDE as f32;
         // Down to a thousandth; whatever is left then is cut off.
         let rate = std::f32::consts::TAU * harmonic.frequency * clamped(harmonic.damping, 0.02, 1.0);
-        let along = |velocity: [f32; 2]| velocity[0] * cosine + velocity[1] * sine;
-        let turned = |source: &Source| match *source {
-            Source::Uniform { velocity } => Source::Uniform { velocity: [along(velocity), 0.0] },
-            Source::Natural { velocity, turbulence } => {
-                // Gusts keep their strength however the plane stands to the wind, and run along it.
-                let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
-                Source::Natural { velocity: [if along(velocity) < 0.0 { -speed } else { speed }, 0.0], turbulence }
-            }
-        };
-        Self {
+        let mut model = Self {
             cells: harmonic.cells,
             cell,
             axes,
@@ -83,15 +74,34 @@ impl HarmonicModel {
             speed: harmonic.speed,
             settle: lower(7.0 / rate / dt as f32, 1e6) as u32 + 1,
             deep: size[0],
-            sources: sources.iter().map(turned).collect(),
-            mean: along(wind),
-        }
+            sources: Vec::new(),
+            mean: 0.0,
+        };
+        model.blow(sources);
+        model
+    }
+
+    /// Other sources blow; the plane stands as it did.
+    pub(crate) fn blow(&mut self, sources: &[Blowing]) {
+        let turned = |blowing: &Blowing| {
+            let source = match blowing.source {
+                Source::Uniform { velocity } => Source::Uniform { velocity: [self.along(velocity), 0.0] },
+                Source::Natural { velocity, turbulence } => {
+                    // Gusts keep their strength however the plane stands to the wind, and run along it.
+                    let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
+                    Source::Natural { velocity: [if self.along(velocity) < 0.0 { -speed } else { speed }, 0.0], turbulence }
+                }
+            };
+            Blowing { source, ..*blowing }
+        };
+        self.sources = sources.iter().map(turned).collect();
+        self.mean = self.along(WindField::before(sources, 0, 0.0, 1.0, 1.0).mean);
     }
 
     /// The wind on the nodes of the plane, its middle of a cell each, `step` steps after the start: x along the plane's right, z up. It repeats with the
     /// plane.
     pub fn wind<'a>(&self, step: u64, dt: f64, fluids: impl Iterator<Item = (&'a FluidSource, &'a FluidState)>) -> WindField {
-        let mut field = WindField::at(&self.sources, step, dt, f64::from(self.cell));
+        let mut field = WindField::before(&self.sources, step, 0.0, dt, f64::from(self.cell));
         field.fluids = fluids.map(|(fluid, flow)| fluid.field_on(flow, step, f64::from(self.cell), self.mean)).collect();
         WindField { mean: [self.mean, 0.0], ..field.snapped(self.cells) }
     }
@@ -131,8 +141,21 @@ pub struct LayeredStand {
 }
 
 impl LayeredStand {
+    /// Width and height of its largest plant, m.
+    pub(crate) fn size(&self) -> [f32; 2] {
+        largest(&self.specimen, &self.places, self.placement.height[1])
+    }
+
     /// How plants are drawn.
     pub fn layers(&self) -> &Layers {
         &self.layered.layers
     }
+}
+
+/// Width and height \[m\] of the largest plant of a specimen: of those with places of their own, and of those up to `tallest` \[m\].
+pub(crate) fn largest(specimen: &Specimen, places: &[Place], tallest: f32) -> [f32; 2] {
+    let tallest = places.iter().filter_map(|place| place.height).fold(tallest, upper);
+    let scale = tallest / specimen.high[1].max(1e-3);
+    let wide = (0..3).step_by(2).map(|axis| specimen.high[axis] - specimen.low[axis]).fold(0.0, upper);
+    [wide * scale, tallest]
 }

@@ -15,6 +15,7 @@
 //! | `touch` | what a step does to a plant within reach of bodies |
 //! | `air` | the tilt in the wind, which follows it as slowly as plants do |
 //! | `blocks` | which cells bodies can reach |
+//! | `rebase` | the motions go on when the numbers change |
 //! | `step` | the step of a stand |
 
 mod air;
@@ -22,6 +23,7 @@ mod blocks;
 mod instigator;
 mod model;
 mod poses;
+mod rebase;
 mod step;
 mod swing;
 mod touch;
@@ -31,13 +33,19 @@ pub use blocks::{BLOCK, Block, Blocks};
 pub use instigator::{Push, least_tilt, push};
 pub use model::{GRAVITY, OscillatorCoefficients, OscillatorError, OscillatorModel};
 pub use poses::Poses;
+pub use rebase::rebase;
 pub use step::{ground_of, is_census, sizes, step as step_stand};
 pub use swing::{Own, Record, curved, limited};
 pub use touch::{Plant, touch};
 
 /// The functions of this response in WGSL, in the order they need each other; they need `math`, `wind`, `contact` and
 /// [`super::oscillation`] before them, and from the host `air_load(index: u32) -> f32`.
-pub const WGSL: [&str; 4] =
-    [include_str!("swing.wgsl"), include_str!("air.wgsl"), include_str!("instigator.wgsl"), include_str!("touch.wgsl")];
+pub const WGSL: [&str; 5] = [
+    include_str!("swing.wgsl"),
+    include_str!("air.wgsl"),
+    include_str!("instigator.wgsl"),
+    include_str!("touch.wgsl"),
+    include_str!("rebase.wgsl"),
+];
 /// Those of them that pictures need: where a plant is, and the air.
 pub const POSE_WGSL: [&str; 2] = [include_str!("swing.wgsl"), include_str!("air.wgsl")];

@@ -78,6 +78,10 @@ pub struct OscillatorModel {
     pub frequency: f64,
     /// Its damping ratio.
     pub damping_ratio: f64,
+    /// The numbers before they changed in the step being taken.
+    pub former: Option<OscillatorCoefficients>,
+    /// Wind that varies has just come.
+    pub aired: bool,
 }
 
 impl OscillatorModel {
@@ -114,7 +118,6 @@ impl OscillatorModel {
             }
         }
         let settle = ln_f64(LARGEST / REST) / slowest / dt;
-        let texels = ((patch_side / TEXEL).ceil() as u32).next_multiple_of(8).min(MOST_TEXELS);
         let coefficients = OscillatorCoefficients {
             stiffness: stiffness as f32,
             damping: damping as f32,
@@ -126,9 +129,23 @@ impl OscillatorModel {
             follow: (1.0 - exp_f64(-own * dt)) as f32,
             pace: (PACE * dt) as f32,
             settle: (settle.ceil() as u32).clamp(1, LONGEST),
-            texels: if varies && oscillator.wind > 0.0 { texels } else { 0 },
+            texels: 0,
         };
-        Some(Ok(Self { coefficients, frequency: own / std::f64::consts::TAU, damping_ratio: damping / (2.0 * own * length) }))
+        let (frequency, damping_ratio) = (own / std::f64::consts::TAU, damping / (2.0 * own * length));
+        let mut model = Self { coefficients, frequency, damping_ratio, former: None, aired: false };
+        if varies {
+            model.heed_places(patch_side);
+            model.aired = false;
+        }
+        Some(Ok(model))
+    }
+
+    /// From now on the wind may not be the same everywhere and for ever: its tilt is kept at texels.
+    pub(crate) fn heed_places(&mut self, patch_side: f64) {
+        if self.coefficients.wind > 0.0 && self.coefficients.texels == 0 {
+            self.aired = true;
+            self.coefficients.texels = ((patch_side / TEXEL).ceil() as u32).next_multiple_of(8).min(MOST_TEXELS);
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use super::air::{Air, AirStep};
 use super::blocks::{BLOCK, Block, Blocks};
 use super::instigator::push;
 use super::model::{OscillatorCoefficients, OscillatorModel};
+use super::rebase::rebase;
 use super::swing::{Own, Record};
 use super::touch::{Plant, touch};
 use crate::math;
@@ -39,6 +40,10 @@ fn reserve(cells: &mut Cells, plan: &StandPlan, [records, air]: [usize; 2]) {
             cells.old.push(vec![0.0; air].into_boxed_slice());
             cells.ground.push(Ground::default());
         }
+        // Wind that varies has come to a stand that knew none.
+        if let Some(planes) = cells.old.get_mut(patch.slot as usize).filter(|planes| planes.len() != air) {
+            *planes = vec![0.0; air].into_boxed_slice();
+        }
     }
 }
 
@@ -61,18 +66,28 @@ pub fn step(
 ) -> Vec<(PatchKey, Summary)> {
     let co = &model.coefficients;
     reserve(cells, plan, sizes(model, stand.cells));
+    if let Some(former) = model.former.as_ref().filter(|_| plan.rebase) {
+        rebase_all(stand, former, plan, cells, before as u32);
+    }
     let mut slots: Vec<Option<&mut Box<[f32]>>> = cells.old.iter_mut().map(Some).collect();
     let work: Vec<_> = plan.patches.iter().filter_map(|patch| slots[patch.slot as usize].take().map(|planes| (patch, planes))).collect();
     let summaries = each(work, |(patch, planes)| {
         let (wind, phases) = wind_of(stand, plan, patch.patch);
         let mut air = AirStep { co, patch_side: stand.patch_side as f32, planes };
-        let largest = air.step(wind, &phases, patch.woken, patch.keep);
+        let largest = air.step(wind, &phases, patch.woken || patch.aired, patch.keep);
         (patch.patch, Summary { largest, ..Summary::default() })
     });
     ended(Stage::Rest);
     contact(terrain, stand, model, plan, cells, (before as u32).wrapping_add(1));
     ended(Stage::Contact);
     summaries
+}
+
+/// The motions of all awake plants go on by other numbers than the former ones.
+fn rebase_all(stand: &StandModel, former: &OscillatorCoefficients, plan: &StandPlan, cells: &mut Cells, now: u32) {
+    let mut slots: Vec<_> = cells.now.iter_mut().zip(&cells.ground).map(Some).collect();
+    let work: Vec<_> = plan.patches.iter().filter_map(|patch| Some((patch.patch, slots[patch.slot as usize].take()?))).collect();
+    each(work, |(patch, (records, ground))| rebase(former, &stand.placement, patch, &ground.grown, records, now));
 }
 
 /// Patches that wake, fade, or lie in reach of bodies; `now` counts the steps done after this one.

@@ -68,6 +68,10 @@ pub struct FluidSource {
     pub velocity: [f32; 2],
     /// Whether bodies drag it.
     pub bodies: bool,
+    /// Its number among all sources that ever blew.
+    pub number: u32,
+    /// Its place among the sources of the scene.
+    pub place: usize,
     /// First texel of its flow in what kernels read.
     pub first: u32,
     /// Side of the square, m.
@@ -113,6 +117,8 @@ impl FluidSource {
             model: Arc::new(model),
             velocity: fluid.velocity,
             bodies: fluid.bodies,
+            number: 0,
+            place: 0,
             first,
             side,
             travel: fluid.velocity.map(|speed| f64::from(speed) * dt / side),
@@ -178,15 +184,17 @@ impl FluidSource {
     }
 
     /// What happens to the air in the step after `step` of them.
-    pub fn plan(&self, step: u64, passing: impl Iterator<Item = Passing>) -> FluidPlan {
+    ///
+    /// `level`: its gusts push with so much of their strength; at 0 bodies do not, either.
+    pub fn plan(&self, step: u64, level: f32, passing: impl Iterator<Item = Passing>) -> FluidPlan {
         let gust = |pulse: &Pulse| {
             let height =
                 pulse.rate.map_or(1.0, |rate| 0.5 - 0.5 * sin_cos_f64(radians(rate.wrapping_mul(step).wrapping_add(pulse.start))).1);
-            let change = pulse.change.map(|change| (change * height) as f32);
+            let change = pulse.change.map(|change| level * (change * height) as f32);
             Gust { at: self.on_plane(pulse.at, step), change, radius: pulse.radius, unused: [0.0; 3] }
         };
         let gusts = self.pulses.iter().map(gust).filter(|gust| gust.change != [0.0; 2]).collect();
-        let drags = passing.filter(|_| self.bodies).filter_map(|body| self.drag(step, &body)).collect();
+        let drags = passing.filter(|_| self.bodies && level > 0.0).filter_map(|body| self.drag(step, &body)).collect();
         FluidPlan { gusts, drags }
     }
 

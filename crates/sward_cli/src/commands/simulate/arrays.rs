@@ -202,7 +202,7 @@ impl Writer<'_> {
         let stride = (WIND_SPACING / node).round().max(1.0);
         let spacing = stride * node;
         let stand = world.model.stands.first();
-        let still = || WindField::at(&world.model.sources, world.state.step, world.model.dt, node);
+        let still = || WindField::before(&world.model.sources, world.state.step, 0.0, world.model.dt, node);
         let wind = stand.map_or_else(still, |stand| world.wind(stand));
         let focus = world.state.focuses.first().copied().unwrap_or_else(|| world.camera().focus());
         let first = focus.map(|at| (at / spacing).round() as i32 - WIND_SIDE / 2);
