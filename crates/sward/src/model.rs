@@ -14,8 +14,8 @@ use std::sync::Arc;
 pub use bodies::{BodyModel, Wardrobe};
 use limits::{Named, NamedComb};
 pub use maps::BodyMaps;
-pub use wind::{Blower, Pictures};
 use specimens::Specimens;
+pub use wind::{Blower, Pictures};
 
 use crate::growth::{Growth, Limit, Tended};
 use crate::placement::PlacementParameters;
@@ -25,9 +25,7 @@ use crate::response::continuum::{Coefficients, LagCoefficients};
 use crate::response::harmonic::{HarmonicModel, LayeredStand, largest};
 use crate::response::oscillator::OscillatorModel;
 use crate::response::springs::SpringsModel;
-use crate::scene::{
-    Area, GustFrom, Path as ScenePath, Scene, SceneError, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource,
-};
+use crate::scene::{Area, GustFrom, Path as ScenePath, Scene, SceneError, SpeciesModel, Terrain as SceneTerrain, Trail, WindSource};
 use crate::shading::environment::Environment;
 use crate::state::{Root, WindState};
 use crate::store::{NoStore, Store};

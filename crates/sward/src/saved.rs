@@ -220,7 +220,9 @@ impl World {
         let levels = saved.winds.iter().flat_map(|wind| wind.levels).all(|level| (0.0..=1.0).contains(&level));
         let counted = saved.winds.iter().all(|wind| wind.begin <= saved.step && wind.steps < 1 << 40 && wind.number < 1 << 30);
         let growing = saved.regrowing.iter().all(|regrowth| {
-            regrowth.at.iter().all(|metres| (-1e9..=1e9).contains(metres)) && (0.5..=200.0).contains(&regrowth.radius) && regrowth.ticks < 1 << 40
+            regrowth.at.iter().all(|metres| (-1e9..=1e9).contains(metres))
+                && (0.5..=200.0).contains(&regrowth.radius)
+                && regrowth.ticks < 1 << 40
         });
         let vacant = saved.vacant.last().is_none_or(|place| (*place as usize) < saved.bodies.len());
         let Some(tunings) = tunings.filter(|_| levels && counted && growing && vacant) else {

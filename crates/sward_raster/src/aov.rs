@@ -49,12 +49,12 @@ impl Studio {
         for stand in solved {
             by_level.iter_mut().zip(stand).for_each(|(all, own)| all.push(own));
         }
-        let draws = past.bodies(&moment.frame, &moment.draws, &self.mesh_of);
+        let draws = past.bodies(world, &moment.frame, &moment.draws, &moment.worn.dressing.meshes);
         // A body that was away has not moved.
-        let moved: Vec<_> = moment.moved.iter().enumerate().map(|(body, now)| past.moved(body).or_else(|| now.clone())).collect();
+        let moved: Vec<_> = moment.moved.iter().enumerate().map(|(body, now)| past.moved(world, body).or_else(|| now.clone())).collect();
         Before {
             camera: past.camera(&moment.frame, moment.size),
-            bodies: Bodies::new(&self.posed(&moved), &draws),
+            bodies: Bodies::new(&moment.worn.posed(&moved), &draws),
             batches: moment.plans.iter().map(solve).collect(),
             strips: by_level.into_iter().flatten().collect(),
             layers: Layers::places(&past.world, &moment.cuts[0], &past.layers(&moment.cuts[0], Origin(moment.frame.corner))),

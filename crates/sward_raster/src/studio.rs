@@ -1,6 +1,6 @@
 //! A world, drawn on the CPU.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use sward::geometry::mesh::Mesh;
 use sward::geometry::relief::Relief;
@@ -14,7 +14,7 @@ use sward::picture::past::Past;
 use sward::picture::plan::{self, BatchPlan, Seen};
 use sward::picture::plants::Plant;
 use sward::picture::prepare::{PrepareUniform, Preparing};
-use sward::picture::subject::{self, Frame, SHADOW_REACH};
+use sward::picture::subject::{self, Dressing, Frame, SHADOW_REACH};
 use sward::picture::volume::{AmbientUniform, Lighting};
 use sward::response::continuum::NODE_CELLS;
 use sward::shading::look::{Look, Turf};
@@ -40,15 +40,35 @@ use crate::tile::{SIDE, Tile};
 /// Largest side of a picture, pixels.
 const LARGEST_SIDE: u32 = 16384;
 
+/// What bodies look like.
+#[derive(Clone, Default)]
+pub(crate) struct Worn {
+    /// Mesh of each body.
+    pub(crate) dressing: Dressing,
+    meshes: Vec<Arc<Mesh>>,
+}
+
+impl Worn {
+    /// The meshes; those of bodies that play a clip have `moved`.
+    pub(crate) fn posed<'a>(&'a self, moved: &'a [Option<Mesh>]) -> Vec<&'a Mesh> {
+        let mut meshes: Vec<&Mesh> = self.meshes.iter().map(|mesh| &**mesh).collect();
+        for (mesh, moved) in self.dressing.meshes.iter().zip(moved) {
+            if let (Some(mesh), Some(moved)) = (mesh, moved) {
+                meshes[*mesh] = moved;
+            }
+        }
+        meshes
+    }
+}
+
 /// Draws a world.
 pub struct Studio {
     pub(crate) looks: Vec<Look>,
     turf: Turf,
     pub(crate) clumps: Clumps,
     relief: Relief,
-    meshes: Vec<Mesh>,
-    /// Mesh of each body; `None` for a shape without one.
-    pub(crate) mesh_of: Vec<Option<usize>>,
+    /// What bodies look like; followed while they come and go.
+    worn: Mutex<Worn>,
     /// The light of the scene's surroundings, where it has some.
     lighting: Option<Arc<Lighting>>,
     /// Cuts of plants that are meshes.
@@ -66,21 +86,13 @@ impl Studio {
     /// As [`Studio::new`], with the light of the surroundings that was worked out or stored before.
     pub fn lit(world: &World, lighting: Option<Arc<Lighting>>) -> Self {
         let looks = subject::looks(world);
-        let (mut meshes, mut mesh_of) = (Vec::new(), Vec::new());
-        for mesh in subject::meshes(world) {
-            mesh_of.push(mesh.map(|mesh| {
-                meshes.push(mesh);
-                meshes.len() - 1
-            }));
-        }
         let relief = subject::relief(&world.model.terrain);
         Self {
             turf: Turf::of(&looks),
             clumps: Clumps::new(&looks),
             looks,
             relief,
-            meshes,
-            mesh_of,
+            worn: Mutex::default(),
             lighting,
             cuts: CutCache::new(world),
             near: 1.0,
@@ -141,7 +153,8 @@ impl Studio {
         let behind = behind.clamp(0.0, 1.0);
         let view = world.camera_before(behind);
         let (frame, origin) = Frame::of(world, &view, behind);
-        let draws = subject::bodies(world, &frame, &self.mesh_of);
+        let worn = self.worn_in(world);
+        let draws = subject::bodies(world, &frame, &worn.dressing.meshes);
         let input = frame.input(world, &view, &draws);
         let uniform = FrameUniform::new(&input, self.relief.frame(input.origin), size, SHADOW_REACH);
         let camera = [input.view.position.x, input.view.position.z];
@@ -151,20 +164,24 @@ impl Studio {
         let seen = Seen { view: &view, origin, fullness: 1.0, near, behind };
         let (plans, batches) = self.prepare(world, &seen);
         let (blade_plans, strips) = self.grow(world, &seen, &uniform, thinning.map(|thinning| thinning.within(&frame)));
-        let moved: Vec<Option<Mesh>> = (0..self.mesh_of.len()).map(|body| subject::moved(world, body, behind)).collect();
-        let bodies = Bodies::new(&self.posed(&moved), &draws);
-        Moment { size, frame, origin, uniform, camera, growth, plans, batches, blade_plans, strips, draws, moved, bodies, cuts }
+        let moved: Vec<Option<Mesh>> = (0..worn.dressing.meshes.len()).map(|body| subject::moved(world, body, behind)).collect();
+        let bodies = Bodies::new(&worn.posed(&moved), &draws);
+        Moment { worn, size, frame, origin, uniform, camera, growth, plans, batches, blade_plans, strips, draws, moved, bodies, cuts }
     }
 
-    /// The meshes; those of bodies that play a clip have `moved`.
-    pub(crate) fn posed<'a>(&'a self, moved: &'a [Option<Mesh>]) -> Vec<&'a Mesh> {
-        let mut meshes: Vec<&Mesh> = self.meshes.iter().collect();
-        for (mesh, moved) in self.mesh_of.iter().zip(moved) {
-            if let (Some(mesh), Some(moved)) = (mesh, moved) {
-                meshes[*mesh] = moved;
+    /// What the bodies of a world look like.
+    fn worn_in(&self, world: &World) -> Worn {
+        // A thread that failed has left it whole: it is followed mesh by mesh.
+        let mut worn = self.worn.lock().unwrap_or_else(PoisonError::into_inner);
+        let Worn { dressing, meshes } = &mut *worn;
+        dressing.follow(world, |number, mesh| {
+            let mesh = Arc::new(mesh);
+            match meshes.get_mut(number) {
+                Some(place) => *place = mesh,
+                None => meshes.push(mesh),
             }
-        }
-        meshes
+        });
+        worn.clone()
     }
 
     /// Near plants of all stands, then plain ones: near to far.
@@ -287,6 +304,8 @@ pub(crate) struct Drawn {
 
 /// Everything of a picture but light and shadow.
 pub(crate) struct Moment {
+    /// What bodies look like.
+    pub(crate) worn: Worn,
     pub(crate) size: [u32; 2],
     pub(crate) frame: Frame,
     pub(crate) origin: PatchKey,

@@ -1,6 +1,7 @@
 //! The picture before, on the GPU: its cells, and the plants of the present picture as they were.
 
 use sward::geometry::mesh::Mesh;
+use sward::model::Revision;
 use sward::picture::blade_plan::BladePlan;
 use sward::picture::past::Past;
 use sward::picture::plan::BatchPlan;
@@ -35,6 +36,8 @@ pub(crate) struct KeptPast {
     batches: Vec<[BatchBuffers; 2]>,
     /// Waves of that moment, per stand of meshes.
     waves: Vec<WaveBuffers>,
+    /// What of the model all this is made for.
+    seen: Revision,
 }
 
 impl KeptPast {
@@ -47,6 +50,7 @@ impl KeptPast {
             air: AirTexels::new(gpu, world),
             batches: stands.iter().map(|_| Default::default()).collect(),
             waves: Vec::new(),
+            seen: world.model.revision,
         };
         past.keep_cells(gpu, world, cells)?;
         Ok(past)
@@ -61,6 +65,7 @@ impl KeptPast {
     fn keep_cells(&mut self, gpu: &Gpu, world: &World, cells: &CellsAt<'_>) -> Result<(), GpuError> {
         match cells {
             CellsAt::Cpu => {
+                self.air.follow(gpu, world);
                 self.air.upload(gpu, world);
                 let stands = world.model.layered.iter().zip(&world.state.layered);
                 let kept = stands.map(|(stand, state)| {
@@ -71,6 +76,7 @@ impl KeptPast {
                 self.waves = kept.collect();
             }
             CellsAt::Gpu(step) => {
+                self.air.follow(gpu, world);
                 let mut encoder = gpu.device.create_command_encoder(&Default::default());
                 self.air.copy_from(&mut encoder, step.air());
                 self.waves = step.layered().map(|waves| waves.waves().copied(gpu, &mut encoder)).collect();
@@ -78,7 +84,11 @@ impl KeptPast {
             }
         }
         let stands = world.model.stands.iter().zip(&world.state.stands);
+        let changed = std::mem::replace(&mut self.seen, world.model.revision) != world.model.revision;
         for (index, (kept, (stand, state))) in self.cells.iter_mut().zip(stands).enumerate() {
+            if changed {
+                kept.follow(gpu, stand);
+            }
             match cells {
                 CellsAt::Cpu => {
                     // Copied from a GPU the picture before.
@@ -153,8 +163,8 @@ impl KeptPast {
     }
 
     /// Meshes of bodies that play a clip, as they were, with the numbers of `meshes`.
-    pub(crate) fn meshes(&self, meshes: &[Option<usize>]) -> Vec<(usize, Mesh)> {
-        let moved = |(body, mesh): (usize, &Option<usize>)| Some(((*mesh)?, self.moment.moved(body)?));
+    pub(crate) fn meshes(&self, world: &World, meshes: &[Option<usize>]) -> Vec<(usize, Mesh)> {
+        let moved = |(body, mesh): (usize, &Option<usize>)| Some(((*mesh)?, self.moment.moved(world, body)?));
         meshes.iter().enumerate().filter_map(moved).collect()
     }
 }

@@ -116,6 +116,11 @@ impl Renderer {
         Ok(renderer)
     }
 
+    /// Puts a mesh in place of another one, or behind the last.
+    pub fn put_mesh(&mut self, gpu: &Gpu, mesh: usize, other: &Mesh) {
+        self.bodies.put_mesh(gpu, mesh, other);
+    }
+
     /// Hands a body's mesh over; the answer is its number in [`sward::picture::frame::BodyDraw`].
     pub fn add_mesh(&mut self, gpu: &Gpu, mesh: &Mesh) -> usize {
         self.bodies.add_mesh(gpu, mesh)

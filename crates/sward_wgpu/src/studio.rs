@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
+use sward::model::Revision;
 use sward::picture::aov::Aov;
 use sward::picture::blade_plan::{self, BladePlan};
 use sward::picture::frame::FrameInput;
 use sward::picture::layers::{self, CutPlan, Origin};
 use sward::picture::plan::{BatchPlan, PatchDraw, Seen, plan, share};
 use sward::picture::prepare::PrepareUniform;
-use sward::picture::subject::{self, Frame};
+use sward::picture::subject::{self, Dressing, Frame};
 use sward::picture::volume::Lighting;
 use sward::scene::Precision;
 use sward::shading::blade::BladeStyle;
@@ -43,8 +44,8 @@ pub struct Studio {
     renderer: Renderer,
     prepare: PreparePass,
     looks: Vec<Look>,
-    /// Mesh of each body; `None` for a shape without one.
-    meshes: Vec<Option<usize>>,
+    /// Mesh of each body.
+    dressing: Dressing,
     /// Near and plain plants of each stand.
     batches: Vec<[BatchBuffers; 2]>,
     /// Where there are stands of blades.
@@ -61,6 +62,8 @@ pub struct Studio {
     past: Option<KeptPast>,
     /// Share of the distance up to which every plant is drawn.
     near: f64,
+    /// What of the model all this is made for.
+    seen: Revision,
 }
 
 /// A picture's moment, made ready.
@@ -90,8 +93,7 @@ impl Studio {
     pub fn lit(gpu: &Gpu, world: &World, lighting: Option<Arc<Lighting>>) -> Result<Self, GpuError> {
         let looks = subject::looks(world);
         let relief = subject::relief(&world.model.terrain);
-        let mut renderer = Renderer::new(gpu, &Setup { relief, looks: looks.clone(), lighting, ..Setup::default() })?;
-        let meshes = subject::meshes(world).iter().map(|mesh| mesh.as_ref().map(|mesh| renderer.add_mesh(gpu, mesh))).collect();
+        let renderer = Renderer::new(gpu, &Setup { relief, looks: looks.clone(), lighting, ..Setup::default() })?;
         let uploaded = world.model.stands.iter().map(|stand| CellBuffers::new(gpu, stand, Precision::Full)).collect();
         let waves = world.model.layered.iter().map(|stand| WaveUpload::new(gpu, &stand.harmonic)).collect();
         let batches = world.model.stands.iter().map(|_| Default::default()).collect();
@@ -99,9 +101,26 @@ impl Studio {
         let solve = world.model.stands.iter().any(|stand| stand.species.blade.is_some()).then(|| SolvePass::new(gpu));
         let blades = world.model.stands.iter().map(|_| BladeBuffers::default()).collect();
         let prepare = PreparePass::new(gpu, world);
-        let studio = Self { renderer, prepare, looks, meshes, batches, solve, blades, growth, uploaded, waves, past: None, near: 1.0 };
+        let (dressing, seen) = (Dressing::default(), world.model.revision);
+        let mut studio =
+            Self { renderer, prepare, looks, dressing, batches, solve, blades, growth, uploaded, waves, past: None, near: 1.0, seen };
+        studio.follow(gpu, world);
         gpu.check()?;
         Ok(studio)
+    }
+
+    /// Follows what a host has changed of the model: bodies, wind, how stands move.
+    fn follow(&mut self, gpu: &Gpu, world: &World) {
+        let renderer = &mut self.renderer;
+        self.dressing.follow(world, |number, mesh| renderer.put_mesh(gpu, number, &mesh));
+        let now = world.model.revision;
+        if now.wind != self.seen.wind {
+            self.prepare.shared.air.follow(gpu, world);
+        }
+        if now.stands != self.seen.stands || now.wind != self.seen.wind {
+            self.uploaded.iter_mut().zip(&world.model.stands).for_each(|(cells, stand)| cells.follow(gpu, stand));
+        }
+        self.seen = now;
     }
 
     /// From the next picture on plants grow fewer, and wider, from a `near`th (0.01 to 1) of the usual distance on: for slow devices. Outputs beside a
@@ -135,7 +154,7 @@ impl Studio {
         gpu.check()?;
         let size = picture::fitting(gpu, size);
         let ready = self.ready(gpu, world, &cells, (behind, self.near), size, false)?;
-        let bodies = subject::bodies(world, &ready.frame, &self.meshes);
+        let bodies = subject::bodies(world, &ready.frame, &self.dressing.meshes);
         let input = ready.frame.input(world, &ready.view, &bodies);
         let (cuts, waves) = self.layers(gpu, world, &cells, behind, size, &input);
         let (batches, blades) = (drawn(&self.batches, world, &ready.plans), strips(&self.blades, world, &self.looks, &ready.blades));
@@ -178,7 +197,7 @@ impl Studio {
             None => KeptPast::new(gpu, world, &cells, behind)?,
         };
         let ready = self.ready(gpu, world, &cells, (behind, 1.0), size, true)?;
-        let bodies = subject::bodies(world, &ready.frame, &self.meshes);
+        let bodies = subject::bodies(world, &ready.frame, &self.dressing.meshes);
         let input = ready.frame.input(world, &ready.view, &bodies);
         past.prepare(gpu, &self.prepare, ready.origin, &world.model.terrain, &ready.plans, &self.growth);
         if let Some(solve) = &self.solve {
@@ -190,8 +209,8 @@ impl Studio {
             layers: &past.moment.layers(&cuts[0], Origin(ready.frame.corner)),
             waves: past.waves(),
             camera: past.moment.camera(&ready.frame, size),
-            bodies: &past.moment.bodies(&ready.frame, &bodies, &self.meshes),
-            meshes: &past.meshes(&self.meshes),
+            bodies: &past.moment.bodies(world, &ready.frame, &bodies, &self.dressing.meshes),
+            meshes: &past.meshes(world, &self.dressing.meshes),
             plants: &past.plants(&ready.plans),
         };
         let (batches, blades) = (drawn(&self.batches, world, &ready.plans), strips(&self.blades, world, &self.looks, &ready.blades));
@@ -229,6 +248,7 @@ impl Studio {
         size: [u32; 2],
         then: bool,
     ) -> Result<Ready, GpuError> {
+        self.follow(gpu, world);
         if matches!(cells, CellsAt::Cpu) {
             for ((buffers, state), stand) in self.uploaded.iter_mut().zip(&world.state.stands).zip(&world.model.stands) {
                 buffers.reserve(gpu, state, !stand.stores_ground(&world.model.terrain))?;
@@ -347,7 +367,7 @@ impl Studio {
 
     /// Moves the meshes of bodies that play a clip.
     fn pose_figures(&mut self, gpu: &Gpu, world: &World, behind: f64) {
-        for (index, mesh) in self.meshes.iter().enumerate() {
+        for (index, mesh) in self.dressing.meshes.iter().enumerate() {
             if let (Some(mesh), Some(moved)) = (mesh, subject::moved(world, index, behind)) {
                 self.renderer.move_mesh(gpu, *mesh, &moved);
             }

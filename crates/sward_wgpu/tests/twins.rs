@@ -19,6 +19,8 @@ mod fluids;
 mod glb;
 #[path = "support/halves.rs"]
 mod halves;
+#[path = "support/inputs.rs"]
+mod inputs;
 #[path = "support/kernels.rs"]
 mod kernels;
 #[path = "support/layers.rs"]
@@ -117,6 +119,7 @@ fn main() -> std::process::ExitCode {
         ("plants_on_edited_ground", prepared::plants_on_edited_ground),
         ("road_and_rising_ground", scenes::road_and_rising_ground),
         ("level_ground_is_raised", scenes::level_ground_is_raised),
+        ("inputs_followed", inputs::followed),
         ("truck_on_hills", scenes::truck_on_hills),
         ("lawn_and_sphere", scenes::lawn_and_sphere),
         ("bodies_in_reed", scenes::bodies_in_reed),

@@ -91,7 +91,15 @@ impl Wardrobe {
     /// Nobody: what stands where a body has been removed.
     pub(crate) fn nobody(&mut self) -> BodyModel {
         self.serial += 1;
-        BodyModel { serial: self.serial, shape: 0, name: String::new(), pieces: Vec::new(), figure: None, half: [0.05; 2], reach: [0.05; 2] }
+        BodyModel {
+            serial: self.serial,
+            shape: 0,
+            name: String::new(),
+            pieces: Vec::new(),
+            figure: None,
+            half: [0.05; 2],
+            reach: [0.05; 2],
+        }
     }
 
     /// Each file is read and split once.

@@ -95,15 +95,22 @@ impl Past {
         AovUniform { then: view.projection(size), eye: view.position.extend(0.0), size: glam::Vec4::new(width, height, 0.0, 0.0) }
     }
 
-    /// Where the bodies of the present picture were; those that were away stand where they are now.
-    pub fn bodies(&self, now: &Frame, draws: &[BodyDraw], meshes: &[Option<usize>]) -> Vec<BodyDraw> {
+    /// Where the bodies of the present picture, of `world`, were; those that were away stand where they are now.
+    pub fn bodies(&self, world: &World, now: &Frame, draws: &[BodyDraw], meshes: &[Option<usize>]) -> Vec<BodyDraw> {
         let then = subject::bodies(&self.world, &self.frame(now), meshes);
-        draws.iter().map(|draw| *then.iter().find(|then| then.number == draw.number).unwrap_or(draw)).collect()
+        let was = |draw: &BodyDraw| then.iter().find(|then| then.number == draw.number && self.knew(world, draw.number as usize - 1));
+        draws.iter().map(|draw| *was(draw).unwrap_or(draw)).collect()
+    }
+
+    /// Whether a body of `world` was the same one then.
+    fn knew(&self, world: &World, body: usize) -> bool {
+        let serial = |world: &World| world.model.bodies.get(body).map(|body| body.serial);
+        serial(world) == serial(&self.world)
     }
 
     /// The mesh of a body that plays a clip, as it was; `None` for others, and for one that was away.
-    pub fn moved(&self, body: usize) -> Option<Mesh> {
-        subject::moved(&self.world, body, self.behind)
+    pub fn moved(&self, world: &World, body: usize) -> Option<Mesh> {
+        subject::moved(&self.world, body, self.behind).filter(|_| self.knew(world, body))
     }
 
     /// That moment in the space of the present frame.

@@ -35,12 +35,63 @@ pub fn looks(world: &World) -> Vec<Look> {
 
 /// The mesh of each body; `None` for a shape without one.
 pub fn meshes(world: &World) -> Vec<Option<Mesh>> {
-    let bodies = world.scene.interactors.iter().zip(&world.model.bodies);
-    let mesh = |(body, model): (&crate::scene::Interactor, &crate::model::BodyModel)| match &model.figure {
+    (0..world.model.bodies.len()).map(|body| mesh(world, body)).collect()
+}
+
+/// The mesh of a body; `None` for a shape without one, and where a body has been removed.
+pub fn mesh(world: &World, body: usize) -> Option<Mesh> {
+    if world.state.vacant.contains(&(body as u32)) {
+        return None;
+    }
+    match &world.model.bodies.get(body)?.figure {
         Some(figure) => Some(figure_mesh(figure, 0.0)),
-        None => mesh_of(&body.shape),
-    };
-    bodies.map(mesh).collect()
+        None => mesh_of(&world.scene.interactors.get(body)?.shape),
+    }
+}
+
+/// Which mesh belongs to each body, while bodies come and go. Bodies of one shape share a mesh, unless they play a clip.
+#[derive(Clone, Debug, Default)]
+pub struct Dressing {
+    /// Number of each body's mesh; `None` for a shape without one.
+    pub meshes: Vec<Option<usize>>,
+    /// Serial number of each body, its shape, and whether it plays a clip.
+    known: Vec<(u64, u64, bool)>,
+}
+
+impl Dressing {
+    /// Follows the bodies of a world; `put` gets the number of each mesh that is new or another, and the mesh.
+    pub fn follow(&mut self, world: &World, mut put: impl FnMut(usize, Mesh)) {
+        let now = world.model.bodies.iter().map(|body| (body.serial, body.shape, body.is_animated()));
+        if now.clone().eq(self.known.iter().copied()) {
+            return;
+        }
+        let now: Vec<_> = now.collect();
+        self.meshes.resize(now.len(), None);
+        let mut fresh = Vec::new();
+        for (body, wanted) in now.iter().enumerate() {
+            if self.known.get(body) != Some(wanted) {
+                self.meshes[body] = None;
+                fresh.push(body);
+            }
+        }
+        for body in fresh {
+            let (_, shape, moves) = now[body];
+            let alike = |other: &usize| self.meshes[*other].is_some() && !moves && now[*other].1 == shape && !now[*other].2;
+            self.meshes[body] = match (0..now.len()).find(alike) {
+                Some(other) if mesh_is_there(world, body) => self.meshes[other],
+                _ => mesh(world, body).map(|mesh| {
+                    let free = (0..).find(|number| !self.meshes.contains(&Some(*number))).unwrap_or_default();
+                    put(free, mesh);
+                    free
+                }),
+            };
+        }
+        self.known = now;
+    }
+}
+
+fn mesh_is_there(world: &World, body: usize) -> bool {
+    !world.state.vacant.contains(&(body as u32))
 }
 
 /// The mesh of a body that plays a clip, `behind` steps before the state; `None` for others, and while it is away.

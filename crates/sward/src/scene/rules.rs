@@ -5,9 +5,7 @@ mod wind;
 use super::error::{Problem, Trail};
 use super::explain::suggest;
 use super::locate::locate;
-use super::{
-    Area, Blade, Camera, FORMAT_VERSION, Interactor, Layered, Path, PlantMesh, Scene, Shape, Stand, Terrain, Value, WindSource,
-};
+use super::{Area, Blade, Camera, FORMAT_VERSION, Interactor, Layered, Path, PlantMesh, Scene, Shape, Stand, Terrain, Value, WindSource};
 
 type Checked = Result<(), Problem>;
 

@@ -5,7 +5,8 @@ use super::{Text, USUAL, run};
 use sward::model::NoAssets;
 use sward::saved::LoadError;
 use sward::scene::{
-    BoxShape, Change, Circle, Cut, Edit, Fluid, Footprint, Interactor, Natural, Path, Regrow, Response, Shape, Sphere, Still, Uniform, WindSource,
+    BoxShape, Change, Circle, Cut, Edit, Fluid, Footprint, Interactor, Natural, Path, Regrow, Response, Shape, Sphere, Still, Uniform,
+    WindSource,
 };
 use sward::view::View;
 use sward::world::{Input, Log, LogError, World};
@@ -73,7 +74,10 @@ fn bodies_that_cannot_be_change_nothing() {
         let error = world.add_body(body.clone(), &NoAssets).expect_err("refused");
         assert!(error.to_string().starts_with("interactors[2]") || error.to_string().contains("none.glb"), "{error}");
     }
-    assert!(world.lead(9, Path::Still(Still::default())).is_err() && world.lead(0, Path::Circle(Circle { radius: -1.0, ..Circle::default() })).is_err());
+    assert!(
+        world.lead(9, Path::Still(Still::default())).is_err()
+            && world.lead(0, Path::Circle(Circle { radius: -1.0, ..Circle::default() })).is_err()
+    );
     assert!(!world.teleport(0, [f64::INFINITY, 0.0], 0.0, 0.0) && !world.teleport(7, [0.0; 2], 0.0, 0.0));
     assert!(world.save_world() == saved && world.scene == scene);
     assert!(world.add_body(ball([0.0; 2]), &NoAssets).is_ok(), "control");
@@ -86,7 +90,11 @@ fn a_body_that_teleports_sweeps_nothing() {
         let body = world.add_body(Interactor { path: Path::Driven(Default::default()), ..ball([0.0; 2]) }, &NoAssets).unwrap();
         run(&mut world, 30);
         // Slow enough to be swept: 2 m in a step is 120 m/s.
-        if jumps { world.teleport(body, [2.0, 0.0], 0.0, 0.0) } else { world.drive(body, [2.0, 0.0], 0.0, 0.0) };
+        if jumps {
+            world.teleport(body, [2.0, 0.0], 0.0, 0.0)
+        } else {
+            world.drive(body, [2.0, 0.0], 0.0, 0.0)
+        };
         run(&mut world, 1);
         tilt(world.bend_at(0, [1.125, 0.125]))
     };
@@ -178,15 +186,25 @@ fn gusts_of_one_source_do_not_depend_on_others() {
 fn responses_glide_without_a_jump() {
     // The same methods, much softer and much stiffer.
     let cases: [(&'static str, [&str; 2]); 5] = [
-        ("species: Meadow, cells: 16", ["Continuum(frequency: 0.8, damping: 0.2, wind: 0.08)", "Continuum(frequency: 3, damping: 0.6, wind: 0.01)"]),
-        ("species: Meadow, cells: 16, response: Oscillator()", ["Oscillator(frequency: 1.2, wind: 4)", "Oscillator(frequency: 4, damping: 1.5)"]),
-        ("species: Meadow, cells: 16, response: VirtualInertia()", ["VirtualInertia(mass: 8e-4, drag: 3e-3)", "VirtualInertia(rigidity_root: 2e-3)"]),
+        (
+            "species: Meadow, cells: 16",
+            ["Continuum(frequency: 0.8, damping: 0.2, wind: 0.08)", "Continuum(frequency: 3, damping: 0.6, wind: 0.01)"],
+        ),
+        (
+            "species: Meadow, cells: 16, response: Oscillator()",
+            ["Oscillator(frequency: 1.2, wind: 4)", "Oscillator(frequency: 4, damping: 1.5)"],
+        ),
+        (
+            "species: Meadow, cells: 16, response: VirtualInertia()",
+            ["VirtualInertia(mass: 8e-4, drag: 3e-3)", "VirtualInertia(rigidity_root: 2e-3)"],
+        ),
         ("species: Meadow, cells: 16, response: Chain()", ["Chain(frequency: 3)", "Chain(rigidity_root: 2e-3, damping: 0.6)"]),
         ("species: Meadow, cells: 16, response: Springs()", ["Springs(wind: 0.1, recover: 6)", "Springs(recover: 1)"]),
     ];
     let mut largest = 0.0_f32;
     for (first, others) in cases {
-        let mut world = Text { first, bodies: "(shape: Sphere(radius: 0.6), path: Circle(radius: 2, speed: 3), until: 1)", ..USUAL }.world();
+        let mut world =
+            Text { first, bodies: "(shape: Sphere(radius: 0.6), path: Circle(radius: 2, speed: 3), until: 1)", ..USUAL }.world();
         run(&mut world, 70);
         let places: Vec<[f64; 2]> = (0..40).map(|k| [f64::from(k % 8) * 0.7 - 2.6, f64::from(k / 8) * 1.1 - 2.3]).collect();
         let look = |world: &World| -> Vec<[f32; 2]> { world.bends_at(0, &places).into_iter().flatten().collect() };
@@ -212,7 +230,10 @@ fn responses_glide_without_a_jump() {
             assert!(is_finite(&tuned) && tuned.state.tunings.is_empty());
             assert!(apart(&look(&tuned), &look(&untouched)) > 1e-3, "control: {text} matters");
             let (a, b) = (&tuned.model.stands[0], &at_once.model.stands[0]);
-            assert!(a.coefficients == b.coefficients && a.oscillator == b.oscillator && a.springs == b.springs, "{text}: in the end it is the same");
+            assert!(
+                a.coefficients == b.coefficients && a.oscillator == b.oscillator && a.springs == b.springs,
+                "{text}: in the end it is the same"
+            );
             assert!(a.chain.as_ref().map(|chain| chain.coefficients) == b.chain.as_ref().map(|chain| chain.coefficients), "{text}");
         }
     }
@@ -234,7 +255,7 @@ fn what_cannot_glide_is_refused() {
 #[test]
 fn grass_is_cut_burns_and_grows_again() {
     let mut world = calm("");
-    let edit = |change: Change| Edit { at: [2.0, 2.0], radius: 1.5, change, ..Edit::default() };
+    let edit = |change: Change| Edit { at: [2.0, 2.0], radius: 2.5, change, ..Edit::default() };
     let share = |world: &World, stand: usize, at: [f64; 2]| {
         let model = &world.model.stands[stand];
         let map = model.growth_map(&world.model.terrain, [0, 0]);
@@ -299,7 +320,9 @@ fn play(world: &mut World, seed: u32, steps: u32) {
             6 => drop(world.remove_wind(chance(6) as usize, 0.3)),
             7 => drop(world.add_wind(WindSource::Footprint(Footprint { radius: 4.0, ..Footprint::default() }), 0.2, &NoAssets)),
             8 => drop(world.tune(0, sward::scene::response(["Continuum(frequency: 1)", "Continuum()"][chance(2) as usize]).unwrap(), 0.3)),
-            9 => drop(world.tune(1, sward::scene::response(["Oscillator(frequency: 5)", "Oscillator()"][chance(2) as usize]).unwrap(), 0.3)),
+            9 => {
+                drop(world.tune(1, sward::scene::response(["Oscillator(frequency: 5)", "Oscillator()"][chance(2) as usize]).unwrap(), 0.3))
+            }
             10 => world.edit(&Edit { at, radius: 1.0, change: Change::Cut(Cut { height: 0.1 }), ..Edit::default() }).unwrap(),
             11 => world.edit(&Edit { at, radius: 2.0, change: Change::Regrow(Regrow { over: 1.0 }), ..Edit::default() }).unwrap(),
             12 => world.state.pinned = vec![at],

@@ -28,9 +28,7 @@ fn edited() -> World {
     let edits = ", detail: (amplitude: 0.2), edits: [(at: (2, 1), radius: 2, change: Raise(height: 0.4)), (time: 0.04, at: (1, 0), change: Flatten()),
         (time: 0.1, at: (3, 3), change: Raise(height: -0.3))]";
     let mut world = world("", "Uniform()", edits);
-    world
-        .edit(&Edit { at: [-2.0, 1.0], radius: 1.5, change: Change::Raise(Raise { height: 0.5 }), ..Edit::default() })
-        .expect("near");
+    world.edit(&Edit { at: [-2.0, 1.0], radius: 1.5, change: Change::Raise(Raise { height: 0.5 }), ..Edit::default() }).expect("near");
     world
 }
 

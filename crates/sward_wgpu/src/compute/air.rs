@@ -17,6 +17,13 @@ pub struct AirTexels {
     pub buffer: wgpu::Buffer,
     /// First byte of the flows, which go to the end.
     flows: u64,
+    /// Number of each plane that flows, its first texel and how many it has.
+    planes: Vec<[u32; 3]>,
+}
+
+/// The planes of a world.
+fn planes(world: &World) -> Vec<[u32; 3]> {
+    world.model.fluids.iter().map(|fluid| [fluid.number, fluid.first, fluid.texels() as u32]).collect()
 }
 
 impl AirTexels {
@@ -26,9 +33,30 @@ impl AirTexels {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let buffer = gpu.filled("wind tile", bytemuck::cast_slice(&texels), usage);
         let first = world.model.fluids.first().map_or(texels.len() as u64, |fluid| u64::from(fluid.first));
-        let air = Self { buffer, flows: TEXEL * first };
+        let air = Self { buffer, flows: TEXEL * first, planes: planes(world) };
         air.upload(gpu, world);
         air
+    }
+
+    /// Follows sources of wind that come and go: planes that were there before flow on. Returns whether there is another buffer.
+    pub fn follow(&mut self, gpu: &Gpu, world: &World) -> bool {
+        let texels = world.model.wind_texels();
+        if self.buffer.size() == TEXEL * texels.len() as u64 && self.planes == planes(world) {
+            return false;
+        }
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+        let buffer = gpu.filled("wind tile", bytemuck::cast_slice(&texels), usage);
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        for [number, first, count] in planes(world) {
+            if let Some([_, old, _]) = self.planes.iter().find(|[known, _, size]| (*known, *size) == (number, count)) {
+                let [from, to, bytes] = [*old, first, count].map(|texels| TEXEL * u64::from(texels));
+                encoder.copy_buffer_to_buffer(&self.buffer, from, &buffer, to, Some(bytes));
+            }
+        }
+        gpu.queue.submit([encoder.finish()]);
+        let first = world.model.fluids.first().map_or(texels.len() as u64, |fluid| u64::from(fluid.first));
+        *self = Self { buffer, flows: TEXEL * first, planes: planes(world) };
+        true
     }
 
     /// Writes the flows that the CPU holds.

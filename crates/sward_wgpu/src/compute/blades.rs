@@ -136,6 +136,11 @@ pub struct BladePasses {
 }
 
 impl BladePasses {
+    /// Reads the wind from other texels.
+    pub fn heed(&mut self, air: &AirTexels) {
+        self.tile = air.buffer.clone();
+    }
+
     /// Builds the pipelines; wind is read from `air`.
     pub fn new(gpu: &Gpu, air: &AirTexels) -> Self {
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {

@@ -43,8 +43,10 @@ pub struct CellBuffers {
     pub states: wgpu::Buffer,
     /// Where those stand.
     pub roots: wgpu::Buffer,
-    /// How far the plant of each cell has grown, four to a word; where something limits a stand of plants that swing by themselves.
+    /// How far the plant of each cell has grown, four to a word; of stands of plants that swing by themselves.
     pub grown: wgpu::Buffer,
+    /// Whether that is known of all slots in use: not before something limits the stand.
+    pub knows_growth: bool,
     /// Sheets of deformed billboards, place by place; `now` says whose is where.
     pub sheets: wgpu::Buffer,
     /// What pictures read of the response, but for the continuum.
@@ -116,8 +118,7 @@ impl Sizes {
         }
         if let Some(oscillator) = &stand.oscillator {
             let [level, before] = oscillator::sizes(oscillator, stand.cells).map(|words| words as u64);
-            let grown = if stand.growth.is_free() { 0 } else { area / 4 };
-            return Self { level, before, nodes: 0, states: 0, ground: 3 * area, grown, sheet: 0, upper: 0, ring: 0, roots: 0 };
+            return Self { level, before, nodes: 0, states: 0, ground: 3 * area, grown: area / 4, sheet: 0, upper: 0, ring: 0, roots: 0 };
         }
         let nodes = u64::from(stand.cells / 2 + 3) * u64::from(stand.cells / 2 + 3) * 2;
         let [upper, ring] = continuum::lag_planes(&stand.lag).map(|planes| planes as u64 * area);
@@ -161,8 +162,19 @@ impl CellBuffers {
             states: empty(),
             roots: empty(),
             grown: empty(),
+            knows_growth: false,
             sheets: empty(),
             numbers: Numbers::of(gpu, stand),
+        }
+    }
+
+    /// Follows a stand whose response has other numbers, or whose wind varies now.
+    pub fn follow(&mut self, gpu: &Gpu, stand: &StandModel) {
+        self.numbers = Numbers::of(gpu, stand);
+        let sizes = Sizes::of(stand);
+        if sizes.before != self.sizes.before {
+            self.sizes = sizes;
+            self.old = storage(gpu, "cells before", u64::from(self.slots) * self.level_before());
         }
     }
 

@@ -61,6 +61,8 @@ pub struct FluidPasses {
     project: Pass,
     end: Pass,
     planes: Vec<Plane>,
+    /// Which they are.
+    numbers: Vec<u32>,
 }
 
 impl FluidPasses {
@@ -92,7 +94,13 @@ impl FluidPasses {
             project: Pass::plain(gpu, &module, "project_pass", &[0, 1, 5, 6]),
             end: Pass::plain(gpu, &module, "end_pass", &[0, 1, 4, 6]),
             planes: fluids.iter().map(plane).collect(),
+            numbers: fluids.iter().map(|fluid| fluid.number).collect(),
         }
+    }
+
+    /// Whether it is these planes that there is room for.
+    pub fn fits(&self, fluids: &[FluidSource]) -> bool {
+        fluids.iter().map(|fluid| fluid.number).eq(self.numbers.iter().copied())
     }
 
     /// Records the step after `step` of them.

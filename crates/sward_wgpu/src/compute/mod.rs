@@ -21,6 +21,7 @@ pub mod traffic;
 use std::collections::VecDeque;
 
 use sward::activation::LATENCY;
+use sward::model::Revision;
 use sward::plan::StandPlan;
 use sward::response::chain;
 use sward::state::{NONE, PatchKey, Summary};
@@ -103,6 +104,8 @@ pub struct GpuStep {
     pub work: Work,
     /// Times the passes of the steps while there is one.
     pub stopwatch: Option<Stopwatch>,
+    /// What of the model all this is made for.
+    seen: Revision,
 }
 
 impl GpuStep {
@@ -129,6 +132,7 @@ impl GpuStep {
             pending: VecDeque::new(),
             work: Work::default(),
             stopwatch: None,
+            seen: world.model.revision,
         };
         for (stand, state) in world.model.stands.iter().zip(&world.state.stands) {
             let mut buffers = CellBuffers::new(gpu, stand, precision.clone());
@@ -165,6 +169,7 @@ impl GpuStep {
         gpu.check()?;
         self.collect(gpu, world, LATENCY - 1)?;
         let plan = world.plan();
+        self.follow(gpu, world);
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         if let Some(passes) = &self.sheets {
             passes.draw_maps(gpu, &mut encoder, world, &plan.maps, &mut self.work, self.stopwatch.as_mut());
@@ -191,6 +196,28 @@ impl GpuStep {
         self.pending.push_back(Pending { step: plan.step, submission, stands });
         world.end_step();
         gpu.check()
+    }
+
+    /// Follows what a host has changed of the model: bodies, wind, how stands move.
+    fn follow(&mut self, gpu: &Gpu, world: &World) {
+        let now = world.model.revision;
+        if let Some(sheets) = self.sheets.as_mut().filter(|_| now.bodies != self.seen.bodies) {
+            sheets.follow(gpu, world);
+        }
+        if now.wind != self.seen.wind && self.air.follow(gpu, world) {
+            self.passes.heed(&self.air);
+            self.blades.iter_mut().for_each(|passes| passes.heed(&self.air));
+            self.swings.iter_mut().for_each(|passes| passes.heed(&self.air));
+            self.sheets.iter_mut().for_each(|passes| passes.heed(&self.air));
+            let fits = self.fluids.as_ref().is_some_and(|passes| passes.fits(&world.model.fluids));
+            if !fits {
+                self.fluids = (!world.model.fluids.is_empty()).then(|| FluidPasses::new(gpu, &world.model.fluids));
+            }
+        }
+        if now.stands != self.seen.stands || now.wind != self.seen.wind {
+            self.stands.iter_mut().zip(&world.model.stands).for_each(|(cells, stand)| cells.follow(gpu, stand));
+        }
+        self.seen = now;
     }
 
     /// Whether the next [`GpuStep::step`] will not wait for the device. Never waits itself. It says nothing of what a step does: summaries are
@@ -290,7 +317,9 @@ impl GpuStep {
             return Ok(());
         }
         if let (Some(oscillator), Some(passes)) = (&stand.oscillator, &self.swings) {
-            for patch in plan.patches.iter().filter(|patch| (patch.woken || patch.edited) && !stand.growth.is_free()) {
+            let grows = !stand.growth.is_free();
+            let all = grows && !std::mem::replace(&mut cells.knows_growth, grows);
+            for patch in plan.patches.iter().filter(|patch| grows && (patch.woken || patch.edited || all)) {
                 let map = stand.growth_map(&world.model.terrain, patch.patch).unwrap_or_default();
                 let grown: Vec<u8> = map.iter().map(|growing| growing.share).collect();
                 self.work.uploaded += grown.len() as u64;

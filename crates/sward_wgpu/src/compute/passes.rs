@@ -143,6 +143,11 @@ pub struct Passes {
 }
 
 impl Passes {
+    /// Reads the wind from other texels.
+    pub fn heed(&mut self, air: &AirTexels) {
+        self.tile = air.buffer.clone();
+    }
+
     /// Builds the pipelines for cells of some precision; wind is read from `air`.
     pub fn new(gpu: &Gpu, air: &AirTexels, precision: &Precision) -> Self {
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {

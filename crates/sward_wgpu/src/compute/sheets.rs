@@ -2,6 +2,8 @@
 //!
 //! Who has a sheet, and where, the plan says; so nothing has to come back from the device for it.
 
+use std::sync::Arc;
+
 use bytemuck::{Pod, Zeroable};
 use sward::interaction::distance_map;
 use sward::plan::{ActiveSheet, StandPlan};
@@ -99,9 +101,16 @@ pub struct SheetPasses {
     maps: Option<DistanceMapPasses>,
     tile: wgpu::Buffer,
     texels: wgpu::Buffer,
+    /// What they are of.
+    known: Arc<Vec<[f32; 4]>>,
 }
 
 impl SheetPasses {
+    /// Reads the wind from other texels.
+    pub fn heed(&mut self, air: &AirTexels) {
+        self.tile = air.buffer.clone();
+    }
+
     /// Builds the pipelines and uploads the maps of bodies: of those that play no clip they stay. Wind is read
     /// from `air`.
     pub fn new(gpu: &Gpu, world: &World, air: &AirTexels) -> Self {
@@ -117,6 +126,20 @@ impl SheetPasses {
             maps: world.model.bodies.iter().any(|body| body.is_animated()).then(|| DistanceMapPasses::new(gpu)),
             tile: air.buffer.clone(),
             texels: gpu.filled("maps of bodies", bytemuck::cast_slice(texels), storage),
+            known: Arc::clone(&world.model.maps.texels),
+        }
+    }
+
+    /// Follows bodies that come and go. Maps of those that play a clip are drawn before they are read.
+    pub fn follow(&mut self, gpu: &Gpu, world: &World) {
+        if self.maps.is_none() && world.model.bodies.iter().any(|body| body.is_animated()) {
+            self.maps = Some(DistanceMapPasses::new(gpu));
+        }
+        let texels = &world.model.maps.texels;
+        if !Arc::ptr_eq(&self.known, texels) {
+            let bytes = if texels.is_empty() { &[[0.0; 4]][..] } else { &texels[..] };
+            self.texels = gpu.filled("maps of bodies", bytemuck::cast_slice(bytes), wgpu::BufferUsages::STORAGE);
+            self.known = Arc::clone(texels);
         }
     }
 

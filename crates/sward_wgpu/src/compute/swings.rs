@@ -71,7 +71,7 @@ pub struct SwingStep {
 pub struct SwingPatch {
     /// Where its cells are.
     pub slot: u32,
-    /// 1: it wakes; 2: it is the tiled wind patch.
+    /// 1: it wakes; 2: it is the tiled wind patch; 4: its tilt in the wind begins.
     pub flags: u32,
     /// Its place in the summaries.
     pub entry: u32,
@@ -92,7 +92,7 @@ pub struct SwingPatch {
 fn entry((number, patch): (usize, &PatchPlan)) -> SwingPatch {
     SwingPatch {
         slot: patch.slot,
-        flags: u32::from(patch.woken) | if patch.patch == TILE { 2 } else { 0 },
+        flags: u32::from(patch.woken) | if patch.patch == TILE { 2 } else { 0 } | if patch.aired { 4 } else { 0 },
         entry: number as u32,
         keep: patch.keep,
         patch: patch.patch,
@@ -114,6 +114,7 @@ pub fn assembled() -> String {
 
 /// The passes.
 pub struct SwingPasses {
+    rebase: Pass,
     air: Pass,
     fade: Pass,
     touch: Pass,
@@ -134,6 +135,11 @@ fn words(plan: &StandPlan, blocks: &Blocks) -> Vec<u8> {
 }
 
 impl SwingPasses {
+    /// Reads the wind from other texels.
+    pub fn heed(&mut self, air: &AirTexels) {
+        self.tile = air.buffer.clone();
+    }
+
     /// Builds the pipelines; wind is read from `air`.
     pub fn new(gpu: &Gpu, air: &AirTexels) -> Self {
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -141,6 +147,7 @@ impl SwingPasses {
             source: wgpu::ShaderSource::Wgsl(assembled().into()),
         });
         Self {
+            rebase: Pass::plain(gpu, &module, "rebase_pass", &[0, 2, 3, 6]),
             air: Pass::plain(gpu, &module, "air_pass", &[0, 1, 2, 4, 8, 11, 14]),
             fade: Pass::plain(gpu, &module, "fade_pass", &[0, 2, 3]),
             touch: Pass::plain(gpu, &module, "touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 14]),
@@ -190,6 +197,10 @@ impl SwingPasses {
         let fading: Vec<SwingPatch> = all.iter().filter(|patch| patch.keep < 1.0 || is_census(now)).copied().collect();
         let intervals = stand.cells / continuum::NODE_CELLS;
         let (wind, tile_wind) = (plan.wind.block(intervals), plan.tile_wind.block(intervals));
+        // Motions go on from where the step before left them.
+        let former =
+            oscillator.former.filter(|_| plan.rebase).map(|former| SwingStep { coefficients: former, now: before as u32, ..numbers });
+        let former = former.map(|former| filled("swings till now", bytemuck::bytes_of(&former), uniform));
         let numbers = filled("swings", bytemuck::bytes_of(&numbers), uniform);
         let wind = filled("wind", bytemuck::bytes_of(&wind), uniform);
         let tile_wind = filled("tiled wind", bytemuck::bytes_of(&tile_wind), uniform);
@@ -203,9 +214,9 @@ impl SwingPasses {
             usage: storage | wgpu::BufferUsages::COPY_SRC,
             mapped_at_creation: false,
         });
-        let mut run = |pass: &Pass, patches: &wgpu::Buffer, groups: [u32; 3]| {
+        let mut run = |pass: &Pass, (numbers, patches): (&wgpu::Buffer, &wgpu::Buffer), groups: [u32; 3]| {
             let bound = [
-                (0, &numbers),
+                (0, numbers),
                 (1, &wind),
                 (2, patches),
                 (3, &cells.now),
@@ -221,11 +232,14 @@ impl SwingPasses {
             work.add(&pass.run(gpu, encoder, &bound, Groups::Direct(groups), stopwatch.as_deref_mut()));
         };
         let (texels, side) = (co.texels / 8, stand.cells / 8);
-        if texels > 0 {
-            run(&self.air, &awake, [texels, texels, all.len() as u32]);
+        if let Some(former) = &former {
+            run(&self.rebase, (former, &awake), [side, side, all.len() as u32]);
         }
-        run(&self.fade, &faded, [side, side, fading.len() as u32]);
-        run(&self.touch, &awake, [count.min(ROW), count.div_ceil(ROW), u32::from(count > 0)]);
+        if texels > 0 {
+            run(&self.air, (&numbers, &awake), [texels, texels, all.len() as u32]);
+        }
+        run(&self.fade, (&numbers, &faded), [side, side, fading.len() as u32]);
+        run(&self.touch, (&numbers, &awake), [count.min(ROW), count.div_ceil(ROW), u32::from(count > 0)]);
         let texels = u64::from(co.texels) * u64::from(co.texels);
         // Of a texel 8 bytes read and 16 written, of a plant its record, where it fades or is looked at.
         work.traffic += all.len() as u64 * texels * 24 + (fading.len() as u64 * u64::from(side * side) + u64::from(count)) * 64 * 32;

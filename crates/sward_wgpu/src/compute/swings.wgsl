@@ -1,4 +1,4 @@
-// One step of a stand of plants that swing by themselves: air -> fade -> touch. Twin: response/oscillator/step.rs in the core.
+// One step of a stand of plants that swing by themselves: (rebase ->) air -> fade -> touch. Twin: response/oscillator/step.rs in the core.
 
 struct SwingStep {
     placement: PlacementParameters,
@@ -15,7 +15,7 @@ struct SwingStep {
 
 struct SwingPatch {
     slot: u32,
-    flags: u32,       // 1: it wakes; 2: it is the tiled wind patch
+    flags: u32,       // 1: it wakes; 2: it is the tiled wind patch; 4: its tilt in the wind begins
     entry: u32,       // its place in the summaries
     keep: f32,
     patch_index: vec2<i32>,
@@ -73,7 +73,7 @@ fn air_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocat
     let place = (vec2<f32>(id.xy) + 0.5) * (stand.patch_side / f32(co.texels));
     let goal = tilt_at(entry, place);
     var before = vec2<f32>(texels[first], texels[first + area]);
-    if (entry.flags & 1u) != 0u {
+    if (entry.flags & 5u) != 0u {
         before = goal;
     }
     let off = entry.keep * (before + co.follow * (goal - before) - goal);
@@ -102,6 +102,30 @@ fn store_record(first: u32, record: SwingRecord) {
     records[first + area] = deviation.y;
     records[first + 2u * area] = bitcast<u32>(record.rate);
     records[first + 3u * area] = record.stamp;
+}
+
+/// The plant of a cell as it has grown.
+fn grown_plant(entry: SwingPatch, cell: vec2<u32>) -> PlacedPlant {
+    let side = stand.placement.cells;
+    let index = cell.y * side + cell.x;
+    let plant = placement_plant(stand.placement, entry.patch_index, cell);
+    if stand.growing == 0u {
+        return plant;
+    }
+    let word = grown[(entry.slot * side * side + index) / 4u];
+    return placement_grown(plant, vec4<u32>((word >> (8u * (index & 3u))) & 0xffu, 0u, 0u, 0u));
+}
+
+/// Where the numbers have changed: `stand` has those till now.
+@compute @workgroup_size(8, 8)
+fn rebase_pass(@builtin(global_invocation_id) id: vec3<u32>) {
+    let entry = patches[id.z];
+    let side = stand.placement.cells;
+    let index = id.y * side + id.x;
+    let first = entry.slot * 4u * side * side + index;
+    let plant = grown_plant(entry, id.xy);
+    let own = swing_own(stand.coefficients, placement_variety(stand.placement, entry.patch_index, index), select(0.0, plant.height, plant.present));
+    store_record(first, swing_rebased(stand.coefficients, own, load_record(first), stand.now));
 }
 
 /// Plants of patches that fade keep a share of their motion; those at rest forget it.
@@ -162,11 +186,7 @@ fn touch_pass(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) 
     let side = stand.placement.cells;
     let cell = vec2<u32>(u32(block.y) & 0xffffu, u32(block.y) >> 16u) + lane.xy;
     let index = cell.y * side + cell.x;
-    var plant = placement_plant(stand.placement, entry.patch_index, cell);
-    if stand.growing != 0u {
-        let word = grown[(entry.slot * side * side + index) / 4u];
-        plant = placement_grown(plant, vec4<u32>((word >> (8u * (index & 3u))) & 0xffu, 0u, 0u, 0u));
-    }
+    let plant = grown_plant(entry, cell);
     if !plant.present {
         return;
     }

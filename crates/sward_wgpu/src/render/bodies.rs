@@ -109,8 +109,14 @@ impl BodyPass {
     }
 
     pub(crate) fn add_mesh(&mut self, gpu: &Gpu, mesh: &Mesh) -> usize {
+        self.put_mesh(gpu, self.meshes.len(), mesh);
+        self.meshes.len() - 1
+    }
+
+    /// Puts a mesh in place of another, or behind the last one.
+    pub(crate) fn put_mesh(&mut self, gpu: &Gpu, index: usize, mesh: &Mesh) {
         let init = |label, contents, usage| gpu.filled(label, contents, usage);
-        self.meshes.push(MeshBuffers {
+        let buffers = MeshBuffers {
             vertices: init(
                 "mesh vertices",
                 bytemuck::cast_slice(&mesh.vertices),
@@ -118,8 +124,11 @@ impl BodyPass {
             ),
             indices: init("mesh indices", bytemuck::cast_slice(&mesh.indices), wgpu::BufferUsages::INDEX),
             count: mesh.indices.len() as u32,
-        });
-        self.meshes.len() - 1
+        };
+        match self.meshes.get_mut(index) {
+            Some(place) => *place = buffers,
+            None => self.meshes.push(buffers),
+        }
     }
 
     /// Moves the vertices of a mesh; a mesh of another size is left alone.

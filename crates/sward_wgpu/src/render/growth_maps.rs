@@ -22,8 +22,8 @@ pub struct GrowthMaps {
     places: BTreeMap<PatchKey, u32>,
     free: BTreeSet<u32>,
     room: u32,
-    /// Changes of the ground that the maps know of.
-    edits: u64,
+    /// Changes of the ground, and of what grows on it, that the maps know of.
+    edits: [u64; 2],
     /// Maps made since the start.
     pub made: u64,
 }
@@ -55,7 +55,7 @@ impl GrowthMaps {
         let texture = texture(gpu, stand.cells, combed, 1);
         let view = texture.create_view(&Default::default());
         let (places, free) = (BTreeMap::new(), BTreeSet::new());
-        Self { texture, view, side: stand.cells, combed, places, free, room: 0, edits: 0, made: 0 }
+        Self { texture, view, side: stand.cells, combed, places, free, room: 0, edits: [0; 2], made: 0 }
     }
 
     /// Makes the maps that the patches of a picture still lack, and tells each patch where its own is.
@@ -63,7 +63,7 @@ impl GrowthMaps {
         if stand.growth.is_free() {
             return;
         }
-        self.forget(world, draws);
+        self.forget(world, stand, draws);
         let mut fresh = Vec::new();
         for draw in draws {
             if !self.places.contains_key(&draw.patch) {
@@ -88,11 +88,12 @@ impl GrowthMaps {
         used.map_or(0, |place| place + 1)
     }
 
-    /// Drops maps of patches out of sight, and all of them when the ground has changed.
-    fn forget(&mut self, world: &World, draws: &[&mut PatchDraw]) {
+    /// Drops maps of patches out of sight, and all of them when the ground or what grows on it has changed.
+    fn forget(&mut self, world: &World, stand: &StandModel, draws: &[&mut PatchDraw]) {
         let seen: BTreeSet<PatchKey> = draws.iter().map(|draw| draw.patch).collect();
-        let changed = self.edits != world.model.terrain.changes();
-        self.edits = world.model.terrain.changes();
+        let edits = [world.model.terrain.changes(), stand.growth.tended.changes()];
+        let changed = self.edits != edits;
+        self.edits = edits;
         let gone: Vec<PatchKey> = self.places.keys().filter(|patch| changed || !seen.contains(*patch)).copied().collect();
         for patch in gone {
             if let Some(place) = self.places.remove(&patch).filter(|place| *place != NONE) {

@@ -21,14 +21,7 @@ impl Record {
 }
 
 /// Rebases all plants of a patch to step `now`; `co` are the numbers till now, `grown` says how far each has grown, or nothing if all have.
-pub fn rebase(
-    co: &OscillatorCoefficients,
-    placement: &PlacementParameters,
-    patch: PatchKey,
-    grown: &[u8],
-    records: &mut [f32],
-    now: u32,
-) {
+pub fn rebase(co: &OscillatorCoefficients, placement: &PlacementParameters, patch: PatchKey, grown: &[u8], records: &mut [f32], now: u32) {
     let area = records.len() / 4;
     for cell in 0..area {
         let record = Record::load(records, area, cell);

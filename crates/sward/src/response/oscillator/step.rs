@@ -67,7 +67,7 @@ pub fn step(
     let co = &model.coefficients;
     reserve(cells, plan, sizes(model, stand.cells));
     if let Some(former) = model.former.as_ref().filter(|_| plan.rebase) {
-        rebase_all(stand, former, plan, cells, before as u32);
+        rebase_all(terrain, stand, former, plan, cells, before as u32);
     }
     let mut slots: Vec<Option<&mut Box<[f32]>>> = cells.old.iter_mut().map(Some).collect();
     let work: Vec<_> = plan.patches.iter().filter_map(|patch| slots[patch.slot as usize].take().map(|planes| (patch, planes))).collect();
@@ -84,10 +84,15 @@ pub fn step(
 }
 
 /// The motions of all awake plants go on by other numbers than the former ones.
-fn rebase_all(stand: &StandModel, former: &OscillatorCoefficients, plan: &StandPlan, cells: &mut Cells, now: u32) {
-    let mut slots: Vec<_> = cells.now.iter_mut().zip(&cells.ground).map(Some).collect();
-    let work: Vec<_> = plan.patches.iter().filter_map(|patch| Some((patch.patch, slots[patch.slot as usize].take()?))).collect();
-    each(work, |(patch, (records, ground))| rebase(former, &stand.placement, patch, &ground.grown, records, now));
+fn rebase_all(terrain: &Terrain, stand: &StandModel, former: &OscillatorCoefficients, plan: &StandPlan, cells: &mut Cells, now: u32) {
+    let mut slots: Vec<_> = cells.now.iter_mut().zip(&mut cells.ground).map(Some).collect();
+    let work: Vec<_> = plan.patches.iter().filter_map(|patch| Some((patch, slots[patch.slot as usize].take()?))).collect();
+    each(work, |(patch, (records, ground))| {
+        if patch.edited {
+            *ground = ground_of(terrain, stand, patch.patch);
+        }
+        rebase(former, &stand.placement, patch.patch, &ground.grown, records, now);
+    });
 }
 
 /// Patches that wake, fade, or lie in reach of bodies; `now` counts the steps done after this one.
