@@ -90,24 +90,46 @@ pub struct Plant {
     pub lean: [f32; 2],
 }
 
-/// Smooth value noise over the clump lattice, 0 to 1, continuous across patches.
-fn clump(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> f32 {
+/// A corner of the clump lattice of a patch, 0 to 1; one on the far border is the first of the next patch.
+fn clump_corner(p: &PlacementParameters, patch: [i32; 2], [ci, cj]: [u32; 2]) -> f32 {
+    let (over_x, over_z) = (ci / p.clumps, cj / p.clumps);
+    let at = (cj - over_z * p.clumps) * p.clumps + (ci - over_x * p.clumps);
+    let (x, z) = (patch[0].wrapping_add(over_x as i32), patch[1].wrapping_add(over_z as i32));
+    math::unit(math::hash(p.seed, x, z, at, purpose::CLUMP))
+}
+
+/// Smooth value noise over the clump lattice, 0 to 1, continuous across patches; `corner` gives those of the patch.
+#[inline(always)]
+fn clump_of(p: &PlacementParameters, cell: [u32; 2], corner: impl Fn([u32; 2]) -> f32) -> f32 {
     let scale = p.clumps as f32 / p.cells as f32;
     let (x, z) = ((cell[0] as f32 + 0.5) * scale, (cell[1] as f32 + 0.5) * scale);
     let (i, j) = (x as u32, z as u32);
     let (fx, fz) = (x - i as f32, z - j as f32);
-    let corner = |di: u32, dj: u32| {
-        // A corner on the far border is the first corner of the next patch.
-        let (ci, cj) = (i + di, j + dj);
-        let (over_x, over_z) = (ci / p.clumps, cj / p.clumps);
-        let at = (cj - over_z * p.clumps) * p.clumps + (ci - over_x * p.clumps);
-        let (x, z) = (patch[0].wrapping_add(over_x as i32), patch[1].wrapping_add(over_z as i32));
-        math::unit(math::hash(p.seed, x, z, at, purpose::CLUMP))
-    };
     let (sx, sz) = (fx * fx * (3.0 - 2.0 * fx), fz * fz * (3.0 - 2.0 * fz));
-    let low = corner(0, 0) + (corner(1, 0) - corner(0, 0)) * sx;
-    let high = corner(0, 1) + (corner(1, 1) - corner(0, 1)) * sx;
+    let low = corner([i, j]) + (corner([i + 1, j]) - corner([i, j])) * sx;
+    let high = corner([i, j + 1]) + (corner([i + 1, j + 1]) - corner([i, j + 1])) * sx;
     low + (high - low) * sz
+}
+
+fn clump(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> f32 {
+    clump_of(p, cell, |corner| clump_corner(p, patch, corner))
+}
+
+/// The clumps of one patch, for whoever asks about many of its plants.
+pub struct Clumps(Box<[f32]>);
+
+impl Clumps {
+    /// Those of a patch.
+    pub fn of(p: &PlacementParameters, patch: [i32; 2]) -> Self {
+        let side = p.clumps + 1;
+        Self((0..side * side).map(|at| clump_corner(p, patch, [at % side, at / side])).collect())
+    }
+
+    /// The plant of a cell: [`plant`], to the bit.
+    pub fn plant(&self, p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> Option<Plant> {
+        let clump = clump_of(p, cell, |[i, j]| self.0[(j * (p.clumps + 1) + i) as usize]);
+        plant_in(p, patch, cell, clump)
+    }
 }
 
 /// Share of cells that carry a plant where the clump noise is `clump`.
@@ -117,9 +139,13 @@ fn cover(p: &PlacementParameters, clump: f32) -> f32 {
 
 /// The plant of a cell, if there is one. `patch` is counted from the scene's origin patch, `cell` = (i, j) below `cells`.
 pub fn plant(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2]) -> Option<Plant> {
+    plant_in(p, patch, cell, clump(p, patch, cell))
+}
+
+/// The same where the clump noise is known.
+fn plant_in(p: &PlacementParameters, patch: [i32; 2], cell: [u32; 2], clump: f32) -> Option<Plant> {
     let index = cell[1] * p.cells + cell[0];
     let random = |purpose: u32| math::unit(math::hash(p.seed, patch[0], patch[1], index, purpose));
-    let clump = clump(p, patch, cell);
     if random(purpose::PRESENT) >= cover(p, clump) {
         return None;
     }

@@ -2,6 +2,8 @@
 
 #[path = "support/adapter.rs"]
 mod adapter;
+#[path = "support/asked.rs"]
+mod asked;
 #[path = "support/blades.rs"]
 mod blades;
 #[path = "support/chains.rs"]
@@ -120,6 +122,7 @@ fn main() -> std::process::ExitCode {
         ("road_and_rising_ground", scenes::road_and_rising_ground),
         ("level_ground_is_raised", scenes::level_ground_is_raised),
         ("inputs_followed", inputs::followed),
+        ("questions_answered", asked::answers),
         ("truck_on_hills", scenes::truck_on_hills),
         ("lawn_and_sphere", scenes::lawn_and_sphere),
         ("bodies_in_reed", scenes::bodies_in_reed),

@@ -90,41 +90,28 @@ impl Growth {
         (lean.is_some() || messiness.is_some()).then(|| (lean.unwrap_or(placement.lean), messiness.unwrap_or(placement.messiness)))
     }
 
-    /// How each cell's own plant grows, row by row. `None` where all do as they would by themselves.
-    pub fn map(&self, placement: &PlacementParameters, terrain: &Terrain, patch: [i32; 2], patch_side: f64) -> Option<Box<[Growing]>> {
+    /// What of it concerns a patch; `None` where all plants do as they would by themselves.
+    pub fn in_patch(&self, patch: [i32; 2], patch_side: f64) -> Option<PatchGrowth<'_>> {
         let corner = patch.map(|along| f64::from(along) * patch_side);
         let near = self.near(corner, patch_side);
         let combs: Vec<&Comb> = self.combs.iter().map(|comb| &**comb).filter(|comb| comb.touches(corner, patch_side)).collect();
         let tended = self.tended.map(patch);
-        if near.is_none() && combs.is_empty() {
-            // What says nothing more of a plant than its share.
-            return tended.map(|shares| shares.iter().map(|share| Growing::of_share(*share)).collect());
-        }
-        let near = near.unwrap_or_default();
-        let by_itself = |index: u32| {
-            let cell = [index % placement.cells, index / placement.cells];
-            let Some(plant) = placement::plant(placement, patch, cell) else { return Growing::default() };
-            let [cover, height] = near.growth_at(plant.root, plant.height);
-            let gone = cover <= 0.0 || (cover < 1.0 && !placement::stays(placement, patch, cell, cover));
-            let ground = [0, 1].map(|axis| corner[axis] + f64::from(plant.root[axis]));
-            if gone || self.too_steep(terrain, ground) {
-                return Growing::default();
-            }
-            // At least 1: what grows is not nothing.
-            let share = (height * 254.0) as u8 + 1;
-            match self.combed(&combs, placement, ground) {
-                None => Growing { share, ..Growing::default() },
-                Some((lean, messiness)) => {
-                    let lean = placement::scattered(placement, patch, index, lean, messiness);
-                    Growing { share, lean: comb::hundredths(lean), combed: 1 }
-                }
-            }
-        };
-        let whole = (0..placement.cells * placement.cells).map(by_itself);
-        Some(match tended {
-            None => whole.collect(),
-            Some(shares) => whole.zip(shares).map(|(growing, share)| tended::left(growing, *share)).collect(),
+        let by_itself = near.is_none() && combs.is_empty();
+        (!by_itself || tended.is_some()).then(|| PatchGrowth {
+            growth: self,
+            patch,
+            corner,
+            near: near.unwrap_or_default(),
+            combs,
+            by_itself,
+            tended,
         })
+    }
+
+    /// How each cell's own plant grows, row by row. `None` where all do as they would by themselves.
+    pub fn map(&self, placement: &PlacementParameters, terrain: &Terrain, patch: [i32; 2], patch_side: f64) -> Option<Box<[Growing]>> {
+        let own = self.in_patch(patch, patch_side)?;
+        Some((0..placement.cells * placement.cells).map(|index| own.cell(placement, terrain, index)).collect())
     }
 
     /// Whether nothing at all grows at the middle of each cell, row by row; `None` where there is no such cell.
@@ -147,5 +134,50 @@ impl Growth {
         };
         let bare: Box<[bool]> = (0..cells * cells).map(bare).collect();
         bare.contains(&true).then_some(bare)
+    }
+}
+
+/// What limits the growth of one stand in one patch.
+pub struct PatchGrowth<'a> {
+    growth: &'a Growth,
+    patch: [i32; 2],
+    corner: [f64; 2],
+    near: Near,
+    combs: Vec<&'a Comb>,
+    /// But for what was tended, plants do as they would by themselves.
+    by_itself: bool,
+    tended: Option<&'a [u8]>,
+}
+
+impl PatchGrowth<'_> {
+    /// How the plant of cell number `index` grows.
+    pub fn cell(&self, placement: &PlacementParameters, terrain: &Terrain, index: u32) -> Growing {
+        let share = self.tended.map_or(WHOLE, |shares| shares[index as usize]);
+        // What says nothing more of a plant than its share.
+        if self.by_itself {
+            return Growing::of_share(share);
+        }
+        let growing = self.untended(placement, terrain, index);
+        if share == WHOLE { growing } else { tended::left(growing, share) }
+    }
+
+    fn untended(&self, placement: &PlacementParameters, terrain: &Terrain, index: u32) -> Growing {
+        let cell = [index % placement.cells, index / placement.cells];
+        let Some(plant) = placement::plant(placement, self.patch, cell) else { return Growing::default() };
+        let [cover, height] = self.near.growth_at(plant.root, plant.height);
+        let gone = cover <= 0.0 || (cover < 1.0 && !placement::stays(placement, self.patch, cell, cover));
+        let ground = [0, 1].map(|axis| self.corner[axis] + f64::from(plant.root[axis]));
+        if gone || self.growth.too_steep(terrain, ground) {
+            return Growing::default();
+        }
+        // At least 1: what grows is not nothing.
+        let share = (height * 254.0) as u8 + 1;
+        match self.growth.combed(&self.combs, placement, ground) {
+            None => Growing { share, ..Growing::default() },
+            Some((lean, messiness)) => {
+                let lean = placement::scattered(placement, self.patch, index, lean, messiness);
+                Growing { share, lean: comb::hundredths(lean), combed: 1 }
+            }
+        }
     }
 }

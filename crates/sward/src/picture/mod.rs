@@ -6,6 +6,7 @@
 //! shows of them.
 
 pub mod aov;
+pub mod asked;
 pub mod blade_plan;
 pub mod blades;
 pub mod frame;

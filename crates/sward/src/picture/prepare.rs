@@ -244,7 +244,9 @@ impl Preparing<'_> {
             return self.swings(&oscillator.coefficients, draw, phases, who, bends);
         }
         let (prepare, root) = (&self.uniform, who.local);
-        let rest = self.rest_at_plant(phases, root);
+        // Where cells rule alone, the wind is not asked.
+        let alone = draw.weights == [1.0; 4] && !draw.slots.contains(&NONE);
+        let rest = if alone { Vec2::ZERO } else { self.rest_at_plant(phases, root) };
         // Where no upper segments are kept, all show what the lowest does.
         let gains = if draw.lags[4] == NONE { [0.0, 0.0, 1.0, 1.0] } else { prepare.lag };
         let mut below = self.plant_bend(draw, root, 0, rest);

@@ -53,7 +53,7 @@ impl World {
     }
 
     /// Plants of a patch.
-    fn plants_in(&self, stand: &LayeredStand, patch: PatchKey) -> Vec<LayeredPlant> {
+    fn layered_plants(&self, stand: &LayeredStand, patch: PatchKey) -> Vec<LayeredPlant> {
         let corner = patch.map(|along| f64::from(along) * stand.patch_side);
         let stands = |at: [f64; 2]| [at[0], self.model.terrain.height_at(at[0], at[1]), at[1]];
         if !stand.places.is_empty() {
@@ -107,7 +107,7 @@ impl World {
         self.state.layered[index].near.retain(|patch, _| wanted.contains(patch) && !resampled.contains(patch));
         for patch in wanted {
             if !self.state.layered[index].near.contains_key(&patch) {
-                let plants = self.plants_in(&self.model.layered[index], patch);
+                let plants = self.layered_plants(&self.model.layered[index], patch);
                 self.state.layered[index].near.insert(patch, plants);
             }
         }

@@ -1,5 +1,6 @@
 //! A scene may change while it runs: what still fits goes on, what does not begins anew, and the same scene again changes no bit.
 
+mod asked;
 mod chance;
 mod ground;
 mod inputs;

@@ -5,6 +5,7 @@
 //! browser, a host steps only while [`GpuStep::ready`], and takes cells over in two halves: [`GpuStep::begin_download`], [`GpuStep::finish_download`].
 
 pub mod air;
+pub mod ask;
 pub mod blades;
 pub mod buffers;
 pub mod distance_maps;
@@ -106,6 +107,8 @@ pub struct GpuStep {
     pub stopwatch: Option<Stopwatch>,
     /// What of the model all this is made for.
     seen: Revision,
+    /// What hosts have asked.
+    ask: ask::AskPasses,
 }
 
 impl GpuStep {
@@ -133,6 +136,7 @@ impl GpuStep {
             work: Work::default(),
             stopwatch: None,
             seen: world.model.revision,
+            ask: Default::default(),
         };
         for (stand, state) in world.model.stands.iter().zip(&world.state.stands) {
             let mut buffers = CellBuffers::new(gpu, stand, precision.clone());

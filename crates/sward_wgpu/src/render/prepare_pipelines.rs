@@ -39,10 +39,9 @@ impl Solved {
     }
 }
 
-/// The full text of the compute shader.
-pub fn assembled(bending: Bending, solved: Solved) -> String {
-    let variants = format!("const CLUMP_VARIANTS: u32 = {VARIANTS}u;\nconst PREPARE_THINNING: f32 = {THINNING:?};");
-    let before = [
+/// The texts before those of [`Bending::parts`].
+pub(crate) fn before_bending() -> [&'static str; 7] {
+    [
         sward::math::WGSL,
         sward::wind::WGSL,
         sward::terrain::WGSL,
@@ -50,9 +49,13 @@ pub fn assembled(bending: Bending, solved: Solved) -> String {
         sward::geometry::billboard::WGSL,
         sward::response::continuum::HALF_WGSL,
         CELLS_WGSL,
-        &variants,
-    ];
-    [&before[..], &bending.parts(), &solved.parts(bending), &[include_str!("prepare.wgsl")]].concat().join("\n")
+    ]
+}
+
+/// The full text of the compute shader.
+pub fn assembled(bending: Bending, solved: Solved) -> String {
+    let variants = format!("const CLUMP_VARIANTS: u32 = {VARIANTS}u;\nconst PREPARE_THINNING: f32 = {THINNING:?};");
+    [&before_bending()[..], &[&variants], &bending.parts(), &solved.parts(bending), &[include_str!("prepare.wgsl")]].concat().join("\n")
 }
 
 /// The pipelines for all that plants become of one kind.

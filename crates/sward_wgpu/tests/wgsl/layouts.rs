@@ -7,6 +7,7 @@ use sward::growth::{GrowthBlock, GrowthRecord};
 use sward::interaction::solid::SolidHead;
 use sward::interaction::{Contact, ContactEdge};
 use sward::picture::aov::AovUniform;
+use sward::picture::asked::Asked;
 use sward::picture::blade_plan::BladeUniform;
 use sward::picture::blades::Blade;
 use sward::picture::frame::FrameUniform;
@@ -202,6 +203,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ("TerrainAnchor", prepare(), layout!(TerrainAnchor { index, fraction, detail_cell, detail_way, edit_index, edit_fraction })),
         ("Prepare", prepare(), uniform),
         ("PatchDraw", prepare(), draw),
+        ("Asked", text_of("ask"), layout!(Asked { local, lean, tall, height, index, which, yaw, stance, curl })),
         ("Plant", prepare(), layout!(Plant { root, height, yaw, width, tint, layer })),
         ("Plant", text_of("plants"), layout!(Plant { root, height, yaw, width, tint, layer })),
         ("Style", text_of("plants"), layout!(Style { root, tip, mean, shape })),

@@ -14,6 +14,9 @@ pub(crate) fn assembled() -> Vec<(&'static str, String)> {
         let bendings = [Bending::Continuum, Bending::Chain, Bending::Swing, Bending::Sheet];
         texts.extend(names.into_iter().zip(bendings.map(|bending| render::prepare::assembled(bending, solved))));
     }
+    let names = ["ask", "ask blade by blade", "ask plant by plant", "ask sheet by sheet"];
+    let bendings = [Bending::Continuum, Bending::Chain, Bending::Swing, Bending::Sheet];
+    texts.extend(names.into_iter().zip(bendings.map(compute::ask::assembled)));
     texts.push(("step sheet by sheet", compute::sheets::assembled()));
     texts.push(("step plant by plant", compute::swings::assembled()));
     texts.push(("distance maps", compute::distance_maps::assembled()));
