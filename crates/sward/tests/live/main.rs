@@ -2,6 +2,7 @@
 
 mod asked;
 mod chance;
+mod examples;
 mod ground;
 mod inputs;
 mod kept;
