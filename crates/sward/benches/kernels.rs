@@ -190,8 +190,8 @@ fn air(criterion: &mut Criterion) {
         group.throughput(Throughput::Elements(u64::from(side * side)));
         let fluid = FluidSource::new(&sward::scene::Fluid { cells: side, ..Default::default() }, 1.0 / 60.0, 0);
         let mut flow = FluidState::still(side as usize);
-        (0..20).for_each(|step| fluid.step(&mut flow, &fluid.plan(step, std::iter::empty())));
-        let plan = fluid.plan(20, std::iter::empty());
+        (0..20).for_each(|step| fluid.step(&mut flow, &fluid.plan(step, 1.0, std::iter::empty())));
+        let plan = fluid.plan(20, 1.0, std::iter::empty());
         group.bench_function(format!("step, {side} x {side}"), |bencher| bencher.iter(|| fluid.step(&mut flow, black_box(&plan))));
     }
     group.finish();

@@ -264,7 +264,7 @@ macro_rules! parameters_with_overrides {
             /// Overrides that say all of it.
             #[must_use]
             pub fn said(&self) -> $Overrides {
-                $Overrides { $($field: Some(self.$field.clone()),)* ..Default::default() }
+                $Overrides { $($field: Some(self.$field.clone()),)* $($extra: None,)* }
             }
         }
     };
