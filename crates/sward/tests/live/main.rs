@@ -6,6 +6,7 @@ mod examples;
 mod ground;
 mod inputs;
 mod kept;
+mod matrix;
 mod shipped;
 
 use sward::model::NoAssets;

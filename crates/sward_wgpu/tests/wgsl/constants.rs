@@ -114,6 +114,7 @@ fn constants() -> Vec<(&'static str, Origin)> {
         ("PUSH_ROUNDS", Source(PUSH, "ROUNDS")),
         ("PUSH_PATIENCE", Source(PUSH, "PATIENCE")),
         ("PUSH_STRAIGHT", Source(PUSH, "STRAIGHT")),
+        ("PUSH_UPRIGHT", Source(PUSH, "UPRIGHT")),
         ("PUSH_SLACK", Source(PUSH, "SLACK")),
         ("PUSH_TOLERANCE", Value(f64::from(chain::TOLERANCE))),
         ("PUSH_CLEAR", Source(PUSH, "CLEAR")),

@@ -25,6 +25,8 @@ const HEADINGS: [[f32; 2]; 8] = {
     const H: f32 = std::f32::consts::FRAC_1_SQRT_2;
     [[1.0, 0.0], [H, H], [H, -H], [0.0, 1.0], [0.0, -1.0], [-H, H], [-H, -H], [-1.0, 0.0]]
 };
+/// A tip no farther beside its root than this leans no way, m.
+const UPRIGHT: f32 = 1e-6;
 /// How far beyond a side a point is taken, m: so that it is not back with the next turn.
 const SLACK: f32 = 1e-3;
 /// How deep a point may lie, m: less than the millimetre that is promised.
@@ -216,8 +218,11 @@ pub fn push(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obsta
 
 /// The bends with which a blade lies straight, tilted from the ground's normal, its tip turned by a heading from where `tip` is.
 fn lying(co: &ChainCoefficients, root: &Root, base: &Frame, (sine, cosine): (f32, f32), [c, s]: [f32; 2], tip: [f32; 3]) -> Bends {
-    let across = math::upper((tip[0] * tip[0] + tip[2] * tip[2]).sqrt(), 1e-9);
-    let [x, z] = [tip[0] / across, tip[2] / across];
+    // One that stands upright falls the way it faces.
+    let upright = tip[0] * tip[0] + tip[2] * tip[2] < UPRIGHT * UPRIGHT;
+    let [x, z] = if upright { [base[0][0], base[0][2]] } else { [tip[0], tip[2]] };
+    let across = math::upper((x * x + z * z).sqrt(), 1e-9);
+    let [x, z] = [x / across, z / across];
     let [x, z] = [c * x - s * z, s * x + c * z];
     let direction = [sine * x, cosine + sine * (root.slope[0] * x + root.slope[1] * z), sine * z];
     let size = dot(direction, direction).sqrt();

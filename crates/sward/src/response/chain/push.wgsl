@@ -37,6 +37,7 @@ const PUSH_SWEEPS: u32 = 16u;
 const PUSH_ROUNDS: u32 = 2u;
 const PUSH_PATIENCE: u32 = 2u;
 const PUSH_STRAIGHT: f32 = 0.02;
+const PUSH_UPRIGHT: f32 = 1e-6;
 const PUSH_SLACK: f32 = 1e-3;
 const PUSH_TOLERANCE: f32 = 5e-4;
 const PUSH_CLEAR: f32 = 1e-3;
@@ -227,7 +228,9 @@ fn push_heading(k: u32) -> vec2<f32> {
 
 // The bends with which a blade lies straight: halfway or nearly flat, turned from where `tip` is.
 fn push_lying(co: ChainCoefficients, root: Root, base: mat3x3<f32>, nearly_flat: bool, turn: vec2<f32>, tip: vec3<f32>) -> array<vec2<f32>, 8> {
-    let p = tip.xz / math_upper(sqrt(tip.x * tip.x + tip.z * tip.z), 1e-9);
+    let upright = tip.x * tip.x + tip.z * tip.z < PUSH_UPRIGHT * PUSH_UPRIGHT;
+    let way = select(tip.xz, base[0].xz, upright);
+    let p = way / math_upper(sqrt(way.x * way.x + way.y * way.y), 1e-9);
     let tilt = select(vec2<f32>(0.8660254, 0.5), vec2<f32>(0.9961947, 0.08715574), nearly_flat);
     let across = vec2<f32>(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
     let rise = tilt.y + tilt.x * (root.slope.x * across.x + root.slope.y * across.y);
