@@ -29,7 +29,7 @@ mod touch;
 pub use air::{Air, AirStep};
 pub use blocks::{BLOCK, Block, Blocks};
 pub use instigator::{Push, least_tilt, push};
-pub use model::{GRAVITY, OscillatorCoefficients, OscillatorError, OscillatorModel};
+pub use model::{GRAVITY, OscillatorCoefficients, OscillatorError, OscillatorModel, least_height};
 pub use poses::Poses;
 pub use step::{ground_of, is_census, sizes, step as step_stand};
 pub use swing::{Own, Record, curved, limited};
