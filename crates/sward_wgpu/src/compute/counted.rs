@@ -17,6 +17,35 @@ use super::sheets::{self, MOST_AT_ONCE};
 use super::swings::ROW;
 use super::traffic::{self, Patches, Traffic};
 
+/// All passes there are, in alphabetical order.
+pub const PASSES: [&str; 25] = [
+    "advect_pass",
+    "air_pass",
+    "blades_pass",
+    "busy_pass",
+    "columns_pass",
+    "contact_pass",
+    "draw_pass",
+    "end_pass",
+    "fade_pass",
+    "force_pass",
+    "lag_pass",
+    "large_pass",
+    "plane_pass",
+    "plant_pass",
+    "project_pass",
+    "rest_pass",
+    "rows_pass",
+    "sheet_resolve_pass",
+    "sheet_touch_pass",
+    "spread_pass",
+    "touch_pass",
+    "virtual_pass",
+    "wake_pass",
+    "wave_pass",
+    "write_pass",
+];
+
 /// What one pass of a step does.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PassWork {

@@ -2,7 +2,7 @@
 
 use sward::scene::Precision;
 use sward::world::World;
-use sward_wgpu::compute::counted::{PassWork, passes};
+use sward_wgpu::compute::counted::{PASSES, PassWork, passes};
 use sward_wgpu::compute::{GpuStep, Work};
 use sward_wgpu::gpu::Gpu;
 
@@ -78,34 +78,7 @@ pub(crate) fn passes_of_all_responses(gpu: &Gpu) -> Verdict {
         ensure(total.iter().all(|count| *count > 0), || format!("{name}: nothing was counted"))?;
     }
     // All there are: a pass that no scene here asks for is not checked.
-    let all = [
-        "advect_pass",
-        "air_pass",
-        "blades_pass",
-        "busy_pass",
-        "columns_pass",
-        "contact_pass",
-        "draw_pass",
-        "end_pass",
-        "fade_pass",
-        "force_pass",
-        "lag_pass",
-        "large_pass",
-        "plane_pass",
-        "plant_pass",
-        "project_pass",
-        "rest_pass",
-        "rows_pass",
-        "sheet_resolve_pass",
-        "sheet_touch_pass",
-        "spread_pass",
-        "touch_pass",
-        "virtual_pass",
-        "wake_pass",
-        "wave_pass",
-        "write_pass",
-    ];
-    ensure(seen.iter().eq(&all), || format!("passes seen: {seen:?}"))?;
+    ensure(seen.iter().eq(&PASSES), || format!("passes seen: {seen:?}"))?;
     // Control: the count of other cells is another.
     let bytes = |precision: Precision| -> Result<[u64; 3], libtest_mimic::Failed> {
         let mut world = world(TRUCK)?;

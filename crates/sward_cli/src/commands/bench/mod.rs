@@ -2,6 +2,7 @@
 
 mod device;
 mod measure;
+mod project;
 mod recovery;
 mod report;
 
@@ -34,6 +35,7 @@ const PICTURES: u32 = 5;
 /// Measures what was asked for.
 pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(), Failure> {
     match &arguments.scene {
+        Some(scene) if arguments.project => project::run(scene, arguments, console),
         Some(scene) => run_scene(scene, arguments, console),
         None => recovery::run(arguments, console),
     }

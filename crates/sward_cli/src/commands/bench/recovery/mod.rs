@@ -46,7 +46,8 @@ impl Row {
     fn new(law: &'static str, ours: bool, meant_s: f64, seconds: Vec<f64>) -> Self {
         let ended: Vec<Option<f64>> = seconds.into_iter().map(|seconds| seconds.is_finite().then_some(seconds)).collect();
         let errors: Vec<Option<f64>> = ended.iter().map(|seconds| seconds.map(|seconds| seconds / meant_s - 1.0)).collect();
-        let worst = errors.iter().try_fold(0.0_f64, |worst, error| error.map(|error| if error.abs() > worst.abs() { error } else { worst }));
+        let worst =
+            errors.iter().try_fold(0.0_f64, |worst, error| error.map(|error| if error.abs() > worst.abs() { error } else { worst }));
         Self { law, ours, meant_s, seconds: ended, errors, worst }
     }
 }
