@@ -60,14 +60,14 @@ pub(crate) struct Bench {
     /// Where what takes long is kept
     #[command(flatten)]
     pub(crate) caching: Caching,
-    /// Folder for bench.json and bench.csv
+    /// Folder for the figures, as JSON and CSV
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
     /// With --papers: pairs of frames, in ABBA order, behind each ratio; by default 4 on a software adapter and on the CPU, 24 on a hardware one
-    #[arg(long, value_name = "N", requires = "papers", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", requires = "papers", conflicts_with_all = ["scene", "recovery"], value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub(crate) pairs: Option<u32>,
     /// With --papers, for tests: share of the papers' counts and pixels
-    #[arg(long, value_name = "SHARE", requires = "papers", hide = true, value_parser = share)]
+    #[arg(long, value_name = "SHARE", requires = "papers", conflicts_with_all = ["scene", "recovery"], hide = true, value_parser = share)]
     pub(crate) scale: Option<f64>,
 }
 

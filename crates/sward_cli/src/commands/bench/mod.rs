@@ -2,6 +2,7 @@
 
 mod device;
 mod measure;
+mod papers;
 mod project;
 mod recovery;
 mod report;
@@ -34,10 +35,11 @@ const PICTURES: u32 = 5;
 
 /// Measures what was asked for.
 pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(), Failure> {
-    match &arguments.scene {
-        Some(scene) if arguments.project => project::run(scene, arguments, console),
-        Some(scene) => run_scene(scene, arguments, console),
-        None => recovery::run(arguments, console),
+    match (&arguments.scene, arguments.papers) {
+        (Some(scene), _) if arguments.project => project::run(scene, arguments, console),
+        (Some(scene), _) => run_scene(scene, arguments, console),
+        (None, Some(paper)) => papers::run(paper, arguments, console),
+        (None, None) => recovery::run(arguments, console),
     }
 }
 
