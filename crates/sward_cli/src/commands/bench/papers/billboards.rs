@@ -42,20 +42,20 @@ pub(super) fn run(machine: &Machine<'_>, progress: &mut dyn FnMut()) -> Result<T
     while pushed.world.time() < ON_ITS_WAY {
         pushed.step()?;
     }
-    let billboards = billboards(&still.world);
     let deformed = pushed.world.state.stands.iter().map(|stand| stand.sheets.pool.taken().count()).sum::<usize>();
     let measured = pairs(machine.pairs, [&mut still, &mut pushed], progress)?;
     let [step, picture] = pushed.frames(1, progress)?;
+    let billboards = billboards(&still.world);
     let words =
         pushed.world.model.stands.iter().filter_map(|stand| stand.springs.as_ref()).map(|springs| pool::words(&springs.coefficients));
     // A sheet of each, and where it is.
     let bytes = words.max().unwrap_or(0) as f64 * 4.0 * billboards as f64 + 4.0 * f64::from(4 * cells * cells);
+    let [width, height] = size;
     Ok(Table {
         paper: "Orthmann, Rezk-Salama & Kolb 2009, GPU-based Responsive Grass",
         place: "§7",
         scene: format!(
-            "{billboards} billboards, 4 samples a pixel, a body moves through them; no resolution is printed, here {}x{}",
-            size[0], size[1]
+            "{billboards} billboards, 4 samples a pixel, a body moves through them; no resolution is printed, here {width}x{height}"
         ),
         columns: vec![Column::new("fewest deformed", "fps"), Column::new("most deformed", "fps"), Column::new("all billboards", "MB")],
         ratios: vec![Ratio { what: "most/fewest", of: [0, 1] }],
@@ -69,7 +69,7 @@ pub(super) fn run(machine: &Machine<'_>, progress: &mut dyn FnMut()) -> Result<T
         ],
         notes: vec![
             format!(
-                "the paper prints 40 to 80 fps and not how many were deformed; here none and {deformed}: a step then takes {:.0} ms, a picture {:.0} ms",
+                "the paper prints 40 to 80 fps and not how many were deformed; here none and {deformed}, which take {:.0} ms a step and {:.0} ms a picture",
                 1e3 * step,
                 1e3 * picture
             ),

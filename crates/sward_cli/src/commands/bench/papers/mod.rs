@@ -92,7 +92,7 @@ fn all(paper: Paper) -> Vec<Paper> {
 fn one(paper: Paper, machine: &Machine<'_>) -> Result<Table, Failure> {
     let pairs = u64::from(machine.pairs);
     let frames = match paper {
-        Paper::Continuum => 2 * pairs,
+        Paper::Continuum => 6 * pairs,
         Paper::Grassland => 8 * pairs,
         Paper::Billboards => 4 * pairs + 1,
         Paper::Layers => 8 * pairs + 8 * pairs.min(2),
