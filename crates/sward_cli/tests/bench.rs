@@ -194,7 +194,7 @@ fn recovery_is_told_for_every_law() {
 #[test]
 fn what_does_not_go_together_is_refused() {
     let place = Place::with_small("bench_refused");
-    let cases: [(&[&str], &str); 8] = [
+    let cases: [(&[&str], &str); 9] = [
         (&["bench"], "SCENE"),
         (&["bench", "small.ron", "--papers"], "--papers"),
         (&["bench", "small.ron", "--recovery"], "--recovery"),
@@ -203,6 +203,7 @@ fn what_does_not_go_together_is_refused() {
         (&["bench", "--papers", "nonsense"], "grassland"),
         (&["bench", "small.ron", "--pairs", "3"], "--pairs"),
         (&["bench", "--project"], "SCENE"),
+        (&["bench", "small.ron", "--project", "--on", "gpu"], "--on"),
     ];
     for (arguments, word) in cases {
         place.refuses(arguments, &[word]);

@@ -36,8 +36,8 @@ pub(crate) struct Bench {
     /// Instead of a scene: how long bent grass takes to stand up by the laws of others and by ours, at 30 to 1000 frames a second
     #[arg(long, conflicts_with_all = ["scene", "project", "steps", "warm_up", "size", "on", "draw", "precision"])]
     pub(crate) recovery: bool,
-    /// Work out from what is counted how many milliseconds each stage would take on three GPUs: a projection, not a measurement
-    #[arg(long)]
+    /// Instead of measuring: work out from what is counted how many milliseconds each stage would take on three GPUs, a projection
+    #[arg(long, conflicts_with_all = ["size", "on", "draw"])]
     pub(crate) project: bool,
     /// Steps that are timed
     #[arg(long, value_name = "N", default_value_t = 120, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
