@@ -1,5 +1,7 @@
 //! What can be typed. Numbers are checked here, so that a wrong one stops before anything runs.
 
+mod bench;
+
 use std::ops::Range;
 use std::path::PathBuf;
 
@@ -8,6 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use sward::specimen::grow::HEIGHTS;
 
 use crate::aov;
+pub(crate) use bench::{Bench, Paper};
 
 /// Largest side of a picture, pixels.
 const LARGEST_SIDE: u32 = 16384;
@@ -69,8 +72,7 @@ pub(crate) enum Command {
     )]
     Compare(Compare),
     /// Measure what a scene costs on this machine, stage by stage
-    #[command(after_long_help = "Examples:\n  sward bench hello\n  sward bench hello --on gpu -o figures/\n\n\
-        figures/bench.json and bench.csv hold p50 and p95 of every stage; the JSON also counters, memory and the machine.")]
+    #[command(after_long_help = bench::EXAMPLES)]
     Bench(Bench),
     /// Say what a scene contains and what it costs, or what a plant's file holds; needs no graphics adapter
     #[command(after_long_help = "Examples:\n  sward show hello\n  sward show my_scene.ron\n  sward show oak.glb")]
@@ -200,37 +202,6 @@ pub(crate) struct Compare {
     /// How the GPU stores cells: 32 bytes each, or 16; by default what the scene says
     #[arg(long, value_enum)]
     pub(crate) precision: Option<Precision>,
-}
-
-/// `sward bench`.
-#[derive(Debug, Args)]
-pub(crate) struct Bench {
-    /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
-    pub(crate) scene: String,
-    /// Steps that are timed
-    #[arg(long, value_name = "N", default_value_t = 120, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
-    pub(crate) steps: u32,
-    /// Steps before those
-    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST)))]
-    pub(crate) warm_up: u32,
-    /// Width and height of the pictures that are timed, in pixels
-    #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
-    pub(crate) size: [u32; 2],
-    /// Where the simulation runs
-    #[arg(long, value_enum, default_value_t = Machine::Cpu)]
-    pub(crate) on: Machine,
-    /// What draws the pictures
-    #[arg(long, value_enum, default_value_t = Draw::Auto)]
-    pub(crate) draw: Draw,
-    /// How the GPU stores cells: 32 bytes each, or 16; by default what the scene says
-    #[arg(long, value_enum)]
-    pub(crate) precision: Option<Precision>,
-    /// Where what takes long is kept
-    #[command(flatten)]
-    pub(crate) caching: Caching,
-    /// Folder for bench.json and bench.csv
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
 }
 
 /// `sward show`.
