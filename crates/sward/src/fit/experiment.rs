@@ -206,6 +206,7 @@ fn plan(model: &Model, stand: &StandModel) -> StandPlan {
         lag: 0,
         neighbours: [0; 4],
         keep: 1.0,
+        aired: false,
         woken: false,
         edited: false,
         lag_woken: true,
@@ -216,8 +217,9 @@ fn plan(model: &Model, stand: &StandModel) -> StandPlan {
         pixels: 0.0,
         handing: false,
     };
-    let wind = WindField::at(&model.sources, 0, model.dt, stand.spacing * f64::from(continuum::NODE_CELLS));
+    let wind = WindField::before(&model.sources, 0, 0.0, model.dt, stand.spacing * f64::from(continuum::NODE_CELLS));
     StandPlan {
+        rebase: false,
         tile_wind: wind.clone(),
         wind,
         patches: vec![patch],
