@@ -98,6 +98,32 @@ fn main() {
     println!("contact {contact:.2} ms of {step:.2} ms");
     let mut shares: Vec<f64> = times.iter().map(|[contact, step]| contact / step).collect();
     report("contact of 512 bodies, share of a step", 0.05, &mut shares);
+    asking();
+    saving(&awake);
+}
+
+/// A million questions on one core, of places side by side and of scattered ones.
+fn asking() {
+    let world = after(
+        60,
+        world("stands: [(species: Meadow)], wind: [Natural()], interactors: [(shape: Truck, path: Circle(radius: 6, speed: 5))]"),
+    );
+    let chance = |k: i32, purpose| f64::from(sward::math::unit(sward::math::hash(7, k, 0, 0, purpose)));
+    let dense = (0..1_000_000).map(|k| [f64::from(k % 1000) * 0.04 - 20.0, f64::from(k / 1000) * 0.04 - 20.0]).collect::<Vec<_>>();
+    let scattered = (0..1_000_000).map(|k| [40.0 * chance(k, 0) - 20.0, 40.0 * chance(k, 1) - 20.0]).collect::<Vec<_>>();
+    for (what, places) in [("side by side", dense), ("scattered", scattered)] {
+        let mut times: Vec<f64> = (0..5).map(|_| seconds(|| drop(world.cover_heights_at(&places)))).collect();
+        println!("cover height at a million places {what}, one core: {:.2} s; claimed at most 1", median(&mut times)[1]);
+    }
+}
+
+/// A world of 225 awake patches, saved and loaded.
+fn saving(world: &World) {
+    let bytes = world.save_world();
+    let mut times: Vec<f64> = (0..5).map(|_| seconds(|| drop(world.save_world()))).collect();
+    println!("225 patches saved, {} MB: {:.2} s; claimed at most 0.5", bytes.len() >> 20, median(&mut times)[1]);
+    let mut times: Vec<f64> = (0..5).map(|_| seconds(|| drop(World::load(&bytes, &NoAssets).expect("its own")))).collect();
+    println!("and loaded: {:.2} s; claimed at most 0.5", median(&mut times)[1]);
 }
 
 fn swinging() {

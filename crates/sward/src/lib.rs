@@ -6,6 +6,7 @@
 
 pub mod activation;
 pub mod figure;
+pub mod fit;
 pub mod geometry;
 pub mod growth;
 pub mod interaction;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// Every module of the crate, earlier stages first; those of one line may know each other.
-const STAGES: [&[&str]; 17] = [
+const STAGES: [&[&str]; 18] = [
     &["math", "lanes", "store"],
     &["scene"],
     &["terrain"],
@@ -21,6 +21,7 @@ const STAGES: [&[&str]; 17] = [
     &["model", "view"],
     &["world"],
     &["saved", "picture"],
+    &["fit"],
 ];
 
 /// Calls whose result depends on the machine, the compiler or the sign of zero.
@@ -160,6 +161,7 @@ fn state_updates_use_only_our_own_arithmetic() {
         "figure/split.rs",
         "figure/thin.rs",
         "figure/tree.rs",
+        "fit",
         "specimen/components.rs",
         "specimen/grow",
         "specimen/shade.rs",

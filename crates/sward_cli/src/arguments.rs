@@ -1,5 +1,7 @@
 //! What can be typed. Numbers are checked here, so that a wrong one stops before anything runs.
 
+mod bench;
+
 use std::ops::Range;
 use std::path::PathBuf;
 
@@ -8,6 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use sward::specimen::grow::HEIGHTS;
 
 use crate::aov;
+pub(crate) use bench::{Bench, Paper};
 
 /// Largest side of a picture, pixels.
 const LARGEST_SIDE: u32 = 16384;
@@ -29,6 +32,7 @@ const EXAMPLES: &str = "Examples:\n  \
     sward render hello --frames 0..90 -o clip/   three seconds, frame by frame\n  \
     sward simulate lawn --steps 600 -o data/     the state as NumPy arrays\n  \
     sward show my_scene.ron                      what a scene contains and costs\n  \
+    sward fit pull.csv                           how a measured plant swings\n  \
     sward grow bush                              a plant made by code: bush.glb\n\n\
     Environment:\n  \
     SWARD_ADAPTER=part of a name                 which graphics adapter to use; none: do without\n\n";
@@ -68,12 +72,19 @@ pub(crate) enum Command {
     )]
     Compare(Compare),
     /// Measure what a scene costs on this machine, stage by stage
-    #[command(after_long_help = "Examples:\n  sward bench hello\n  sward bench hello --on gpu -o figures/\n\n\
-        figures/bench.json and bench.csv hold p50 and p95 of every stage; the JSON also counters, memory and the machine.")]
+    #[command(after_long_help = bench::EXAMPLES)]
     Bench(Bench),
     /// Say what a scene contains and what it costs, or what a plant's file holds; needs no graphics adapter
     #[command(after_long_help = "Examples:\n  sward show hello\n  sward show my_scene.ron\n  sward show oak.glb")]
     Show(Show),
+    /// Say how often a plant swings and how it is damped: of a recording, or one response from another
+    #[command(after_long_help = "Examples:\n  \
+        sward fit pull.csv                           frequency, damping ratio, residual, and what to write into a scene\n  \
+        sward fit pulls.csv --recording T3_P1        one of several\n  \
+        sward fit --from chain --to continuum        the continuum that sways as single blades do\n  \
+        sward fit --scene reed --to oscillator       of a scene's first stand\n\n\
+        A recording is a text file with the columns recording,time,value or time,value, of a plant that was pulled and let go.")]
+    Fit(Fit),
     /// Grow a plant, and write it as a .glb
     #[command(after_long_help = "Examples:\n  \
         sward grow bush\n  \
@@ -193,42 +204,90 @@ pub(crate) struct Compare {
     pub(crate) precision: Option<Precision>,
 }
 
-/// `sward bench`.
-#[derive(Debug, Args)]
-pub(crate) struct Bench {
-    /// A shipped scene's name (see `sward scenes`) or the path of a .ron file
-    pub(crate) scene: String,
-    /// Steps that are timed
-    #[arg(long, value_name = "N", default_value_t = 120, value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST)))]
-    pub(crate) steps: u32,
-    /// Steps before those
-    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST)))]
-    pub(crate) warm_up: u32,
-    /// Width and height of the pictures that are timed, in pixels
-    #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
-    pub(crate) size: [u32; 2],
-    /// Where the simulation runs
-    #[arg(long, value_enum, default_value_t = Machine::Cpu)]
-    pub(crate) on: Machine,
-    /// What draws the pictures
-    #[arg(long, value_enum, default_value_t = Draw::Auto)]
-    pub(crate) draw: Draw,
-    /// How the GPU stores cells: 32 bytes each, or 16; by default what the scene says
-    #[arg(long, value_enum)]
-    pub(crate) precision: Option<Precision>,
-    /// Where what takes long is kept
-    #[command(flatten)]
-    pub(crate) caching: Caching,
-    /// Folder for bench.json and bench.csv
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-}
-
 /// `sward show`.
 #[derive(Debug, Args)]
 pub(crate) struct Show {
     /// A shipped scene's name (see `sward scenes`), the path of a .ron file, or that of a plant: .glb or .gltf
     pub(crate) scene: String,
+}
+
+/// `sward fit`.
+#[derive(Debug, Args)]
+pub(crate) struct Fit {
+    /// A recording: a text file with the columns recording,time,value or time,value, the time in seconds
+    #[arg(value_name = "RECORDING.csv", required_unless_present_any = ["from", "scene"], conflicts_with_all = ["from", "scene"])]
+    pub(crate) recording_file: Option<PathBuf>,
+    /// Which recording of the file; by default all of them
+    #[arg(long, value_name = "NAME", requires = "recording_file")]
+    pub(crate) recording: Option<String>,
+    /// The response that is measured, in place of a recording
+    #[arg(long, value_enum, value_name = "RESPONSE", requires = "to")]
+    pub(crate) from: Option<Kind>,
+    /// The response whose numbers are printed; of a recording by default oscillator and harmonic
+    #[arg(long, value_enum, value_name = "RESPONSE")]
+    pub(crate) to: Option<Kind>,
+    /// The species whose response is measured
+    #[arg(long, value_enum, default_value_t = Species::Meadow, conflicts_with_all = ["recording_file", "scene"])]
+    pub(crate) species: Species,
+    /// A scene whose stand is measured instead: a shipped scene's name or the path of a .ron file; --from may be left out then
+    #[arg(long, value_name = "SCENE", requires = "to")]
+    pub(crate) scene: Option<String>,
+    /// The name of that stand; by default the first one
+    #[arg(long, value_name = "NAME", requires = "scene")]
+    pub(crate) stand: Option<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// How plants move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Kind {
+    /// Bending spreads as a wave
+    Continuum,
+    /// Every plant a rod on a spring
+    Oscillator,
+    /// Billboards that bodies deform; they do not swing
+    Springs,
+    /// Every blade a chain of segments
+    Chain,
+    /// As chain, without a state until touched
+    VirtualInertia,
+    /// Meshes that sway in layers
+    Harmonic,
+}
+
+/// A kind of plant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Species {
+    /// Mown turf, 5 cm
+    Lawn,
+    /// Meadow grass, 40 cm
+    Meadow,
+    /// Reed, 120 cm
+    Reed,
+    /// Tussock grass, 30 cm
+    Tussock,
+    /// A leafy shrub, 1.4 m
+    Shrub,
+    /// A tree, 7 m
+    Tree,
+    /// A water plant, 50 cm
+    WaterPlant,
+}
+
+impl From<Species> for sward::scene::Species {
+    fn from(species: Species) -> Self {
+        match species {
+            Species::Lawn => Self::Lawn,
+            Species::Meadow => Self::Meadow,
+            Species::Reed => Self::Reed,
+            Species::Tussock => Self::Tussock,
+            Species::Shrub => Self::Shrub,
+            Species::Tree => Self::Tree,
+            Species::WaterPlant => Self::WaterPlant,
+        }
+    }
 }
 
 /// `sward grow`.

@@ -42,6 +42,7 @@ fn run(arguments: &Arguments, console: &Console) -> Result<(), Failure> {
         Some(Command::Bench(bench)) => commands::bench::run(bench, console),
         Some(Command::Compare(compare)) => commands::compare::run(compare, console),
         Some(Command::Show(show)) => commands::show::run(show, console),
+        Some(Command::Fit(fit)) => commands::fit::run(fit, console),
         Some(Command::Grow(grow)) => commands::grow::run(grow, console),
         Some(Command::Scenes(scenes)) => commands::scenes::run(scenes, console),
         Some(Command::SceneFormat) => console.answer(&sward::scene::reference()),

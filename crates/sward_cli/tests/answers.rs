@@ -121,7 +121,7 @@ fn help_is_short_with_h_and_has_examples_with_help() {
     let (short, long) = (place.sward(&["-h"]).done(), place.sward(&["--help"]).done());
     assert!(short.lines().count() < 30, "{short}");
     assert!(long.contains("Examples:") && !short.contains("Examples:"));
-    for command in ["render", "simulate", "compare", "show", "grow", "scenes", "scene-format", "completions"] {
+    for command in ["render", "simulate", "compare", "show", "fit", "grow", "scenes", "scene-format", "completions"] {
         assert!(short.contains(command), "{command}");
         let about = place.sward(&[command, "--help"]).done();
         assert!(about.contains("Usage: sward"), "{command}");
@@ -179,4 +179,78 @@ fn grown_plants_are_written_and_shown() {
     assert!(read(&place) == read(&again), "two runs write the same bytes");
     place.sward(&["grow", "bush", "--seed", "1"]).done();
     assert!(read(&place) != read(&again), "control: another seed is another plant");
+}
+
+/// A plant that swings at 0.3 Hz with a damping ratio of 0.05, four samples a second, a line each.
+fn pull(name: &str, sign: &str, decimal: &str) -> String {
+    let line = |k: u32| {
+        let time = 0.25 * f64::from(k);
+        let value = 1e-4 * (-0.05 * std::f64::consts::TAU * 0.3 * time).exp() * (std::f64::consts::TAU * 0.29962 * time).cos();
+        format!("{name}{time:.2}{sign}{value:.9}\n").replace('.', decimal)
+    };
+    (0..160).map(line).collect()
+}
+
+#[test]
+fn fit_measures_recordings() {
+    let place = Place::new("fit");
+    let good = ["0.2996", "0.3000", "0.0500", "response: Oscillator(frequency: 0.3, damping: 0.05), // "];
+    let files = [
+        ("plain.csv", pull("", ",", ".")),
+        ("named.csv", format!("time_s,strain\n{}", pull("", ",", "."))),
+        ("excel.csv", format!("\u{feff}Zeit;Dehnung\r\n{}", pull("", ";", ",").replace('\n', "\r\n"))),
+        ("tabs.txt", pull("oak\t", "\t", ".")),
+        (
+            "several.csv",
+            format!(
+                "recording,time_s,strain\n{}still,0,1\n{}",
+                pull("oak,", ",", "."),
+                (1..40).map(|k| format!("still,{k},1\n")).collect::<String>()
+            ),
+        ),
+    ];
+    for (name, text) in files {
+        place.write(name, text);
+        let said = place.sward(&["fit", name]).done();
+        assert!(good.iter().all(|word| said.contains(word)), "{name}: {said}");
+        assert_eq!(said.contains("still     not a single mode: nothing moves"), name == "several.csv", "{said}");
+    }
+    let one = place.sward(&["fit", "several.csv", "--recording", "oak", "--to", "chain"]).done();
+    assert!(!one.contains("still") && one.contains("response: Chain(damping: 0.05, frequency: 0.3), // oak"), "{one}");
+    let json = place.sward(&["fit", "several.csv", "--json"]).done();
+    let lines: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let number = |name: &str| lines[0][name].as_f64().expect("a number");
+    assert!(
+        (number("frequency_hz") - 0.3).abs() < 1e-4 && (number("damping_ratio") - 0.05).abs() < 1e-4 && number("r_squared") > 0.9999,
+        "{json}"
+    );
+    assert_eq!((&lines[1]["single_mode"], &lines[1]["reason"]), (&false.into(), &"nothing moves".into()), "{json}");
+    let slower = pull("", ",", ".")
+        .lines()
+        .enumerate()
+        .map(|(k, line)| format!("{},{}\n", 0.3 * k as f64, line.split_once(',').expect("two").1))
+        .collect::<String>();
+    place.write("slower.csv", slower);
+    let said = place.sward(&["fit", "slower.csv"]).done();
+    assert!(said.contains("0.2500") && !said.contains("0.3000"), "control: {said}");
+}
+
+/// What is to be pasted is a stand's, and swings as is said.
+#[test]
+fn fit_prints_what_a_scene_takes() {
+    let place = Place::new("fit_translates");
+    let said = place.sward(&["fit", "--from", "chain", "--to", "continuum"]).done();
+    for word in ["Chain      swings at", "Continuum  swings at", "explains", "// c0 and c_omega: ", "// gamma_top and gamma_recover: "] {
+        assert!(said.contains(word), "no `{word}` in {said}");
+    }
+    let lines = said.lines().skip_while(|line| !line.starts_with("response: ")).collect::<Vec<_>>().join("\n");
+    place.write("mine.ron", format!("(version: 1, stands: [(species: Meadow,\n{lines}\n)])"));
+    let json = place.sward(&["fit", "--scene", "mine.ron", "--to", "oscillator", "--json"]).done();
+    let again: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let swings_at = again["from"]["swings_at_hz"].as_f64().expect("a number");
+    assert!(said.contains(&format!("Continuum  swings at {swings_at:.3} Hz")), "{said}{json}");
+    let reed = place.sward(&["fit", "--from", "chain", "--to", "continuum", "--species", "reed"]).done();
+    assert_ne!(reed, said, "control: another species");
+    let rod = place.sward(&["fit", "--from", "oscillator", "--to", "chain", "--species", "reed"]).done();
+    assert!(rod.contains("// this response cannot swing so"), "{rod}");
 }

@@ -99,3 +99,113 @@ fn figures_that_cannot_be_written_are_said() {
     let ran = place.sward(&arguments);
     assert!(ran.status == 1 && ran.text.contains("triad") && ran.errors.contains("bench.json"), "{}{}", ran.text, ran.errors);
 }
+
+/// The figures a run wrote.
+fn figures(place: &Place, file: &str) -> serde_json::Value {
+    serde_json::from_str(&std::fs::read_to_string(place.0.join(file)).expect("written")).expect("JSON")
+}
+
+/// Without any adapter, and the same every time.
+#[test]
+fn a_projection_is_counted_not_measured() {
+    let place = Place::with_small("bench_project");
+    let run = |folder: &str, more: &[&str]| {
+        let arguments = [&["bench", "small.ron", "--project", "--steps", "6", "--warm-up", "3", "-o", folder], more].concat();
+        let ran = place.sward_with(&arguments, &[("SWARD_ADAPTER", "none")]);
+        assert_eq!((ran.status, ran.errors.as_str()), (0, ""));
+        for word in ["PROJECTION, not a measurement", "4070 Ti", "wave_pass", "contact_pass", "all stages"] {
+            assert!(ran.text.contains(word), "no `{word}` in\n{}", ran.text);
+        }
+        figures(&place, &format!("{folder}/projection.json"))
+    };
+    let (first, second, half) = (run("first", &[]), run("second", &[]), run("half", &["--precision", "half"]));
+    assert_eq!(first, second);
+    let sum = |report: &serde_json::Value, of: &str| {
+        let stages = report["stages"].as_array().expect("a list");
+        stages.iter().map(|stage| stage[of].as_f64().expect("a number")).sum::<f64>()
+    };
+    assert_eq!(sum(&first, "invocations"), sum(&half, "invocations"));
+    assert!(sum(&first, "bytes") > sum(&half, "bytes"), "control: cells are smaller");
+    let totals = |report: &serde_json::Value| (0..3).map(|at| report["total_ms"][at].as_f64().expect("ms")).collect::<Vec<_>>();
+    assert!(totals(&first).windows(2).all(|pair| pair[0] > pair[1] && pair[1] > 0.0), "{first}");
+    assert!(totals(&first).iter().zip(totals(&half)).all(|(full, half)| *full >= half));
+    let csv = std::fs::read_to_string(place.0.join("first/projection.csv")).expect("written");
+    assert_eq!(csv.lines().count(), 1 + 3 * first["stages"].as_array().map_or(0, Vec::len));
+}
+
+/// A sleeping scene does nothing on any device.
+#[test]
+fn nothing_takes_no_time_elsewhere() {
+    let place = Place::new("bench_project_still");
+    place.write("still.ron", "(version: 1, stands: [(species: Meadow)])");
+    let text = place.sward(&["bench", "still.ron", "--project", "--steps", "3", "--warm-up", "0"]).done();
+    assert!(text.contains("all stages") && text.contains("0.0000 ms") && !text.contains("wave_pass"), "{text}");
+}
+
+/// Every paper's scene, at a thousandth of its counts and pixels and told so.
+#[test]
+fn papers_stand_beside_ours() {
+    let place = Place::new("bench_papers");
+    let small = ["--scale", "0.002", "--pairs", "1", "--draw", "cpu", "-o", "data"];
+    let text = place.sward(&[&["bench", "--papers"], &small[..]].concat()).done();
+    for word in
+        ["GeForce 8600 GTS", "Radeon HD 6870", "GeForce 8800 GTX", "GeForce GTX 275", "its formula", "here: the CPU", "not to be compared"]
+    {
+        assert!(text.contains(word), "no `{word}` in\n{text}");
+    }
+    let report = figures(&place, "data/papers.json");
+    let tables = report["tables"].as_array().expect("a list");
+    assert_eq!(tables.len(), 5);
+    for table in tables {
+        let list = |of: &str| table[of].as_array().expect("a list").clone();
+        let columns = list("columns").len();
+        assert!(list("lines").iter().all(|line| line["values"].as_array().is_some_and(|values| values.len() == columns)), "{table}");
+        let is_ours = |line: &&serde_json::Value| line["ours"] == true;
+        let lines = list("lines");
+        let ours: Vec<_> = lines.iter().filter(is_ours).collect();
+        assert!(!ours.is_empty() && ours.len() < lines.len(), "both theirs and ours: {table}");
+        assert!(
+            ours.iter().all(|line| line["values"].as_array().is_some_and(|all| all.iter().all(|value| value.as_f64() > Some(0.0)))),
+            "{table}"
+        );
+    }
+    // As the papers print them, whatever was measured.
+    let printed = &tables[1]["lines"][2]["values"];
+    assert_eq!((printed[0].as_f64(), printed[2].as_f64()), (Some(180.0), Some(150.0)));
+    assert!(std::fs::read_to_string(place.0.join("data/papers.csv")).expect("written").lines().count() > 40);
+    let one = place.sward(&["bench", "--papers", "instigator"]).done();
+    assert!(one.contains("d = 9.5") && !one.contains("GeForce") && !one.contains("not to be compared"), "{one}");
+}
+
+#[test]
+fn recovery_is_told_for_every_law() {
+    let place = Place::new("bench_recovery");
+    let text = place.sward(&["bench", "--recovery", "-o", "data"]).done();
+    // README's figures: 1.5 s become 1.0 to 2.05 s.
+    let row = text.lines().find(|line| line.starts_with("linear, stored in 10 bits")).expect("listed");
+    assert!(row.contains(" 1.500 ") && row.contains(" 2.046 ") && row.contains(" 1.023 "), "{row}");
+    let ours = text.lines().skip_while(|line| *line != "ours").count();
+    assert_eq!(ours, 4, "{text}");
+    let csv = std::fs::read_to_string(place.0.join("data/recovery.csv")).expect("written");
+    assert_eq!(csv.lines().count(), 1 + 8 * 7);
+    assert_eq!(figures(&place, "data/recovery.json")["laws"].as_array().map(Vec::len), Some(8));
+}
+
+#[test]
+fn what_does_not_go_together_is_refused() {
+    let place = Place::with_small("bench_refused");
+    let cases: [(&[&str], &str); 9] = [
+        (&["bench"], "SCENE"),
+        (&["bench", "small.ron", "--papers"], "--papers"),
+        (&["bench", "small.ron", "--recovery"], "--recovery"),
+        (&["bench", "--papers", "--recovery"], "--recovery"),
+        (&["bench", "--papers", "--steps", "5"], "--steps"),
+        (&["bench", "--papers", "nonsense"], "grassland"),
+        (&["bench", "small.ron", "--pairs", "3"], "--pairs"),
+        (&["bench", "--project"], "SCENE"),
+        (&["bench", "small.ron", "--project", "--on", "gpu"], "--on"),
+    ];
+    for (arguments, word) in cases {
+        place.refuses(arguments, &[word]);
+    }
+}

@@ -20,7 +20,9 @@ fn read(name: &str) -> String {
 }
 
 fn documents() -> Vec<Document> {
-    ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "docs/cli.md", "docs/window.md"].map(|name| (name.to_owned(), read(name))).into()
+    ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "docs/cli.md", "docs/projection.md", "docs/window.md"]
+        .map(|name| (name.to_owned(), read(name)))
+        .into()
 }
 
 /// All problems at once, so that one run shows them all.

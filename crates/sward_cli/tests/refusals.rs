@@ -243,3 +243,55 @@ fn fails_with_an_unknown_command() {
     place.refuses(&["completions", "cmd.exe"], &["bash"]);
     place.refuses(&["show"], &["<SCENE>"]);
 }
+
+#[test]
+fn fails_with_recordings_that_cannot_be_read() {
+    let place = Place::new("recordings");
+    std::fs::create_dir(place.0.join("folder")).expect("writable");
+    let rows = |with: &str| (0..20).map(|k| format!("a,{k},{}\n", f64::from(k % 3))).collect::<String>() + with;
+    let expected = "expected are columns recording,time,value or time,value";
+    for (text, words) in [
+        (String::new(), &["has no samples", expected][..]),
+        ("time,strain\n".to_owned(), &["has no samples", expected]),
+        ("1\n2\n".to_owned(), &["bad.csv:1: 1 column", expected]),
+        ("a,b,c,d\n".to_owned(), &["bad.csv:1: 4 columns", expected]),
+        (rows("a,20\n"), &["bad.csv:21: 2 columns, the first row has 3", expected]),
+        (rows("a,20,\n"), &["bad.csv:21: a number is missing", "leave the row out"]),
+        (rows("a,20,high\n"), &["bad.csv:21: `high` is no number", "leave the row out"]),
+        (rows("a,20,NaN\n"), &["bad.csv:21: recording a: NaN is no number", "leave the row out"]),
+        (rows("a,inf,1\n"), &["bad.csv:21: recording a: inf is no number", "leave the row out"]),
+        (rows("a,7,1\n"), &["bad.csv:21: recording a: the time 7 s does not come after 19 s", "sort the rows"]),
+        (rows("b,0,1\n"), &["recording b: 1 samples, at least 12", expected]),
+    ] {
+        place.write("bad.csv", &text);
+        place.refuses(&["fit", "bad.csv"], words);
+    }
+    place.write("bad.csv", [rows("").as_bytes(), b"a,20,\xff\n"].concat());
+    place.refuses(&["fit", "bad.csv"], &["bad.csv:21: this is not UTF-8 text", "save the file as UTF-8"]);
+    place.write("good.csv", rows(""));
+    assert!(place.sward(&["fit", "good.csv"]).done().contains("recording"), "control");
+    place.refuses(&["fit", "good.csv", "--recording", "A1"], &["has no recording called `A1`", "did you mean `a`?"]);
+    place.refuses(&["fit", "gone.csv"], &["gone.csv cannot be read", "check the path"]);
+    place.refuses(&["fit", "folder"], &["folder is a folder"]);
+    place.refuses(&["fit", "good.csv", "--to", "springs"], &["do not swing", "harmonic"]);
+}
+
+#[test]
+fn fails_with_responses_that_cannot_be_fitted() {
+    let place = Place::new("translations");
+    place.write("bare.ron", "(version: 1)");
+    for (arguments, words) in [
+        (&["fit"][..], &["RECORDING.csv"][..]),
+        (&["fit", "--from", "chain"], &["--to"]),
+        (&["fit", "x.csv", "--from", "chain", "--to", "continuum"], &["cannot be used with"]),
+        (&["fit", "--from", "springs", "--to", "continuum"], &["`Springs` do not swing", "sward fit --help"]),
+        (&["fit", "--from", "chain", "--to", "springs"], &["do not swing"]),
+        (&["fit", "--from", "chain", "--to", "continuum", "--species", "tree"], &["plants in layers sway as a whole"]),
+        (&["fit", "--from", "continuum", "--to", "harmonic", "--species", "lawn"], &["`damping` is", "allowed 0 to 2"]),
+        (&["fit", "--scene", "helo", "--to", "chain"], &["did you mean `hello`?"]),
+        (&["fit", "--scene", "hello", "--stand", "reeds", "--to", "chain"], &["no stand of hello is called `reeds`", "its stands: "]),
+        (&["fit", "--scene", "bare.ron", "--to", "chain"], &["nothing grows in bare"]),
+    ] {
+        place.refuses(arguments, words);
+    }
+}

@@ -12,6 +12,8 @@ mod chains;
 mod continuum;
 #[path = "support/controls.rs"]
 mod controls;
+#[path = "support/counted.rs"]
+mod counted;
 #[path = "support/distance_maps.rs"]
 mod distance_maps;
 #[path = "support/fluids.rs"]
@@ -53,6 +55,7 @@ fn main() -> std::process::ExitCode {
         ("small_maths", maths::small_maths),
         ("hashes", maths::hashes),
         ("wind_nodes_and_places", maths::wind_nodes_and_places),
+        ("counted_passes", counted::passes_of_all_responses),
         ("fluid_steps", fluids::steps),
         ("fluid_runs", fluids::runs),
         ("layer_waves", layers::waves),

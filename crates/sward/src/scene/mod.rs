@@ -218,6 +218,11 @@ pub(crate) fn text_of<T: Value>(value: &T) -> String {
     options().to_string(value).unwrap_or_default()
 }
 
+/// The same for people, with spaces.
+fn line_of<T: Value>(value: &T) -> String {
+    text_of_with(value, PrettyConfig::new().compact_structs(true).compact_maps(true))
+}
+
 fn text_of_with<T: Value>(value: &T, style: PrettyConfig) -> String {
     // Writing into a string fails only beyond the recursion limit, which no scene type reaches.
     options().to_string_pretty(value, style).unwrap_or_default()

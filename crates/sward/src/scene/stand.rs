@@ -97,6 +97,14 @@ parameters! {
     }
 }
 
+impl Response {
+    /// As it is written in a scene, on one line.
+    #[must_use]
+    pub fn to_ron(&self) -> String {
+        super::line_of(self)
+    }
+}
+
 impl Stand {
     /// Cells along a patch side.
     #[must_use]

@@ -3,6 +3,7 @@
 pub(crate) mod bench;
 pub(crate) mod compare;
 pub(crate) mod completions;
+pub(crate) mod fit;
 pub(crate) mod grow;
 pub(crate) mod hello;
 pub(crate) mod plant;

@@ -11,6 +11,7 @@ use super::Work;
 use super::air::AirTexels;
 use super::buffers::CellBuffers;
 use super::passes::{Groups, Pass};
+use super::traffic;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
 
@@ -221,15 +222,8 @@ impl BladePasses {
             encoder.copy_buffer_to_buffer(&summary, 4 * busy, &groups, 0, Some(12));
             run(encoder, &self.blades, &roomy, cells, Groups::Indirect(&groups));
         }
-        work.traffic += traffic(chain, blades, [all.len(), with_room.len()]);
+        // Blades that are held take more: how many is not known here, but see [`super::counted`].
+        work.traffic += traffic::virtual_blades(chain, all.len() as u64) + traffic::looked_at(with_room.len() as u64 * u64::from(blades));
         summary
     }
-}
-
-/// Bytes that the passes read and write at least: states read and written, moments written, of virtual blades; of patches with room the hold of each
-/// blade and where it stands. Blades that are held take more: how many is not known here.
-fn traffic(chain: &ChainModel, blades: u32, [awake, with_room]: [usize; 2]) -> u64 {
-    let n = u64::from(chain.coefficients.segments);
-    let virtual_blades = u64::from(chain.virtual_side) * u64::from(chain.virtual_side);
-    awake as u64 * virtual_blades * n * (16 + 16 + 8) + with_room as u64 * u64::from(blades) * (8 + 48)
 }

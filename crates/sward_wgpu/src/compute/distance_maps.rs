@@ -11,6 +11,7 @@ use sward::interaction::distance_map::{self, Cube, sized};
 
 use super::Work;
 use super::passes::{Groups, Pass};
+use super::traffic;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
 
@@ -52,21 +53,31 @@ pub struct MapDraw {
 
 /// All maps of one call, as the passes read them.
 #[derive(Default)]
-struct Drawing {
+pub(super) struct Drawing {
     maps: Vec<MapDraw>,
-    points: Vec<[f32; 3]>,
-    triangles: Vec<[u32; 4]>,
-    winners: u32,
+    pub(super) points: Vec<[f32; 3]>,
+    pub(super) triangles: Vec<[u32; 4]>,
+    /// Texels of all.
+    pub(super) winners: u32,
     widest: u32,
 }
 
 impl Drawing {
-    fn of(inputs: &[MapInput<'_>]) -> Self {
+    /// The maps that are drawn at once.
+    pub(super) fn of(inputs: &[MapInput<'_>]) -> Self {
         let mut drawing = Self::default();
-        for input in inputs {
+        for input in &inputs[..inputs.len().min(ROW as usize)] {
             drawing.add(input);
         }
         drawing
+    }
+
+    /// Workgroups of the passes: `draw_pass`, `large_pass`, `write_pass`.
+    pub(super) fn groups(&self) -> [[u32; 3]; 3] {
+        let count = self.triangles.len();
+        let (groups, some) = ((3 * count as u64).div_ceil(64) as u32, u32::from(count > 0));
+        let write = [self.widest.div_ceil(64), self.maps.len() as u32, u32::from(!self.maps.is_empty())];
+        [[groups.min(ROW), groups.div_ceil(ROW), some], [SHARING, 1, some], write]
     }
 
     fn add(&mut self, input: &MapInput<'_>) {
@@ -126,7 +137,7 @@ impl DistanceMapPasses {
         work: &mut Work,
         mut stopwatch: Option<&mut Stopwatch>,
     ) {
-        let drawing = Drawing::of(&maps[..maps.len().min(ROW as usize)]);
+        let drawing = Drawing::of(maps);
         if drawing.maps.is_empty() {
             return;
         }
@@ -155,10 +166,11 @@ impl DistanceMapPasses {
         let mut run = |pass: &Pass, groups: [u32; 3]| {
             work.add(&pass.run(gpu, encoder, &bound, Groups::Direct(groups), stopwatch.as_deref_mut()));
         };
-        let groups = (3 * u64::from(count)).div_ceil(64) as u32;
-        let some = u32::from(count > 0);
-        run(&self.draw, [groups.min(ROW), groups.div_ceil(ROW), some]);
-        run(&self.large, [SHARING, 1, some]);
-        run(&self.write, [drawing.widest.div_ceil(64), drawing.maps.len() as u32, 1]);
+        let [draw, large, write] = drawing.groups();
+        run(&self.draw, draw);
+        run(&self.large, large);
+        run(&self.write, write);
+        work.traffic += traffic::drawn_maps(u64::from(count), drawing.points.len() as u64);
+        work.traffic += traffic::written_maps(u64::from(drawing.winners));
     }
 }

@@ -8,6 +8,8 @@ use sward::state::{NONE, TILE};
 use sward::wind::equilibrium;
 use sward::world::World;
 
+use super::traffic::Patches;
+
 /// `Stand` of `step.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -135,5 +137,11 @@ impl Entries {
             lagged: pick(&|patch| patch.lag != NONE),
             awake,
         }
+    }
+
+    /// How many they are.
+    pub fn patches(&self) -> Patches {
+        let [awake, woken, touched, lagged] = [&self.awake, &self.woken, &self.touched, &self.lagged].map(|list| list.len() as u64);
+        Patches { awake, woken, touched, lagged }
     }
 }

@@ -6,8 +6,13 @@ use sward::wind::fluid::{self, FASTEST, FluidPlan, FluidSource};
 use super::Work;
 use super::air::AirTexels;
 use super::passes::{Groups, Pass};
+use super::traffic;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
+
+/// The passes of a plane in a step, in order.
+pub(super) const PASSES: [&str; 8] =
+    ["force_pass", "columns_pass", "spread_pass", "rows_pass", "advect_pass", "columns_pass", "project_pass", "end_pass"];
 
 /// `FluidStep` of `fluid.wgsl`.
 #[repr(C)]
@@ -144,8 +149,7 @@ impl FluidPasses {
                 let groups = Groups::Direct([model.side as u32, 1, 1]);
                 work.add(&pass.run(gpu, encoder, &bound, groups, stopwatch.as_deref_mut()));
             }
-            // Each pass reads and writes every cell; four neighbours are read when air is carried, two waves when it is projected.
-            work.traffic += (8 * 2 + 3 + 2) * 4 * fluid.texels() as u64;
+            work.traffic += PASSES.iter().map(|pass| traffic::air(pass, fluid.texels() as u64)).sum::<u64>();
         }
     }
 }

@@ -9,6 +9,7 @@ use super::Work;
 use super::air::AirTexels;
 use super::download::Arriving;
 use super::passes::{Groups, Pass};
+use super::traffic;
 use crate::gpu::{Gpu, GpuError};
 use crate::render::layers::WaveBuffers;
 use crate::stopwatch::Stopwatch;
@@ -221,8 +222,7 @@ impl LayerPasses {
         work.add(&self.plane.run(gpu, encoder, &bound, Groups::Direct([groups, groups, 1]), stopwatch.as_deref_mut()));
         let each = TOUCH_SIDE / 8;
         work.add(&self.plant.run(gpu, encoder, &bound, Groups::Direct([each, each, touched.len() as u32]), stopwatch));
-        // V and its past are read with four neighbours, V and its note written; of touched plants likewise, but for notes.
-        work.traffic += 8 * (8 * u64::from(area) + 7 * touched.len() as u64 * u64::from(TOUCH_SIDE * TOUCH_SIDE));
+        work.traffic += traffic::plane(u64::from(area)) + traffic::plants(touched.len() as u64);
         std::mem::swap(&mut buffers.now, &mut buffers.old);
         std::mem::swap(&mut buffers.touch_now, &mut buffers.touch_old);
     }

@@ -8,6 +8,7 @@ pub mod air;
 pub mod ask;
 pub mod blades;
 pub mod buffers;
+pub mod counted;
 pub mod distance_maps;
 pub mod download;
 pub mod entries;

@@ -180,7 +180,7 @@ impl Passes {
         work: &mut Work,
         mut stopwatch: Option<&mut Stopwatch>,
     ) {
-        let traffic = Traffic::new(stand, entries, step.gusty, cells);
+        let traffic = Traffic::new(stand, &entries.patches(), step.gusty, cells.cell_bytes(), cells.has_ground());
         work.traffic += traffic.rest + traffic.wake + traffic.contact + u64::from(stand.substeps) * traffic.wave;
         work.upper_traffic += traffic.lag;
         let side = stand.cells / 8;

@@ -9,7 +9,7 @@ use sward::interaction::distance_map;
 use sward::plan::{ActiveSheet, StandPlan};
 use sward::response::StandModel;
 use sward::response::continuum::NODE_CELLS;
-use sward::response::springs::{self, MOST_MOMENTS, SheetRoot, SpringsCoefficients, SpringsModel, pool, root_of};
+use sward::response::springs::{self, MOST_MOMENTS, SheetRoot, SpringsCoefficients, SpringsModel, root_of};
 use sward::world::World;
 
 use super::Work;
@@ -17,6 +17,7 @@ use super::air::AirTexels;
 use super::buffers::CellBuffers;
 use super::distance_maps::{DistanceMapPasses, MapInput};
 use super::passes::{Groups, Pass};
+use super::traffic;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
 
@@ -154,20 +155,8 @@ impl SheetPasses {
         stopwatch: Option<&mut Stopwatch>,
     ) {
         let Some(passes) = &self.maps else { return };
-        let known = |(body, elapsed): &(u32, f64)| {
-            let figure = world.model.bodies.get(*body as usize)?.figure.as_ref()?;
-            let (map, first) = world.model.maps.place(*body as usize)?;
-            Some((figure.points(*elapsed), &figure.figure.triangles, map, first))
-        };
-        let drawn: Vec<_> = moving.iter().filter_map(known).collect();
-        let input = drawn.iter().map(|(points, triangles, map, first)| MapInput {
-            points,
-            triangles,
-            cube: map.cube,
-            size: map.size,
-            first: *first,
-        });
-        passes.record(gpu, encoder, &input.collect::<Vec<_>>(), &self.texels, work, stopwatch);
+        let points = posed(world, moving);
+        passes.record(gpu, encoder, &map_inputs(world, &points), &self.texels, work, stopwatch);
     }
 
     /// Records one step of stand number `index`. A patch whose sheets have recovered sleeps by itself: there is nothing to report.
@@ -195,8 +184,7 @@ impl SheetPasses {
         let numbers = filled("sheets", bytemuck::bytes_of(&numbers));
         let wind = filled("wind", bytemuck::bytes_of(&plan.wind.block(stand.cells / NODE_CELLS)));
         let heads = filled("where maps are", bytemuck::cast_slice(&plan.sheets.heads));
-        let (columns, rows) = model.coefficients.sides();
-        let words = springs::ROOM * (columns * rows) as u64 + 1;
+        let words = traffic::sheet_room(model);
         let room = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("sheets in a step"),
             size: 4 * words * all.len().min(MOST_AT_ONCE) as u64,
@@ -214,12 +202,32 @@ impl SheetPasses {
                 work.add(&pass.run(gpu, encoder, &bound, groups, stopwatch.as_deref_mut()));
             }
         }
-        work.traffic += all.len() as u64 * (8 * pool::words(&model.coefficients) as u64 + size_of::<SheetEntry>() as u64);
+        let near = all.iter().filter(|entry| entry.count > 0).count();
+        work.traffic += traffic::touched_sheets(model, all.len() as u64) + traffic::resolved_sheets(model, near as u64);
     }
 }
 
+/// Points of bodies that play a clip, where they are after so many seconds.
+pub(super) fn posed(world: &World, moving: &[(u32, f64)]) -> Vec<(usize, Vec<[f32; 3]>)> {
+    let points = |(body, elapsed): &(u32, f64)| {
+        let figure = world.model.bodies.get(*body as usize)?.figure.as_ref()?;
+        Some((*body as usize, figure.points(*elapsed)))
+    };
+    moving.iter().filter_map(points).collect()
+}
+
+/// The maps to be drawn of bodies with such points.
+pub(super) fn map_inputs<'a>(world: &'a World, posed: &'a [(usize, Vec<[f32; 3]>)]) -> Vec<MapInput<'a>> {
+    let input = |(body, points): &'a (usize, Vec<[f32; 3]>)| {
+        let triangles = &world.model.bodies.get(*body)?.figure.as_ref()?.figure.triangles;
+        let (map, first) = world.model.maps.place(*body)?;
+        Some(MapInput { points, triangles, cube: map.cube, size: map.size, first })
+    };
+    posed.iter().filter_map(input).collect()
+}
+
 /// The sheets of a plan, as the passes read them; those first that bodies may touch.
-fn entries(world: &World, (index, model): (usize, &SpringsModel), plan: &StandPlan) -> Vec<SheetEntry> {
+pub(super) fn entries(world: &World, (index, model): (usize, &SpringsModel), plan: &StandPlan) -> Vec<SheetEntry> {
     let (stand, grown): (&StandModel, _) = (&world.model.stands[index], &world.state.stands[index].cells.grown);
     let entry = |sheet: &ActiveSheet| {
         let patch = plan.patches[sheet.patch as usize].patch;

@@ -14,11 +14,12 @@ use super::air::AirTexels;
 use super::blades::SUMMARY_WORDS;
 use super::buffers::CellBuffers;
 use super::passes::{Groups, Pass};
+use super::traffic;
 use crate::gpu::Gpu;
 use crate::stopwatch::Stopwatch;
 
 /// Most workgroups along one axis that are asked for.
-const ROW: u32 = 32768;
+pub(super) const ROW: u32 = 32768;
 
 /// `SwingStand` of `swing_bends.wgsl`: what pictures read of a stand.
 #[repr(C)]
@@ -241,8 +242,8 @@ impl SwingPasses {
         run(&self.fade, (&numbers, &faded), [side, side, fading.len() as u32]);
         run(&self.touch, (&numbers, &awake), [count.min(ROW), count.div_ceil(ROW), u32::from(count > 0)]);
         let texels = u64::from(co.texels) * u64::from(co.texels);
-        // Of a texel 8 bytes read and 16 written, of a plant its record, where it fades or is looked at.
-        work.traffic += all.len() as u64 * texels * 24 + (fading.len() as u64 * u64::from(side * side) + u64::from(count)) * 64 * 32;
+        let fading = fading.len() as u64 * u64::from(side * side);
+        work.traffic += traffic::texels(all.len() as u64 * texels) + traffic::records(fading + u64::from(count));
         summary
     }
 }

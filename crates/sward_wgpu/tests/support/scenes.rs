@@ -44,14 +44,14 @@ pub(crate) const STIFF: &str = "(version: 1, field: (patch_side: 8),
     interactors: [(shape: Box(size: (1, 1, 2)), path: Circle(radius: 3, speed: 12))])";
 
 /// Blades that a ball and a box touch, on hills, in gusts: only those have a state.
-const TOUCHED: &str = r#"(version: 1, field: (patch_side: 8), terrain: Image(path: "assets/jacksboro.png", scale: 0.03125),
+pub(crate) const TOUCHED: &str = r#"(version: 1, field: (patch_side: 8), terrain: Image(path: "assets/jacksboro.png", scale: 0.03125),
     stands: [(species: Meadow, cells: 8, response: VirtualInertia(), representation: Blade(blades: 4))], wind: [Natural()],
     interactors: [(shape: Sphere(radius: 0.5), path: Circle(centre: (0, 2), radius: 2, speed: 4)),
         (shape: Box(size: (1, 0.3, 1)), clearance: 0.2, path: Keyframes(keys: [(time: 0, at: (-6, 3)), (time: 4, at: (6, 4))]))],
     budget: (patches: 12, focus_distance: 12))"#;
 
 /// Every blade with a state of its own; plants as billboards.
-const CHAINS: &str =
+pub(crate) const CHAINS: &str =
     "(version: 1, field: (patch_side: 8, patches: (1, 1)), stands: [(species: Reed, cells: 8, response: Chain())], wind: [Natural(velocity: (6, 2))],
     interactors: [(shape: Ellipsoid(radii: (0.4, 0.7, 0.5)), path: Circle(centre: (4, 4), radius: 1, speed: 2))],
     budget: (patches: 12, focus_distance: 10))";

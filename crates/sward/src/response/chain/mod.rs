@@ -15,6 +15,7 @@
 //! | `virtual_blades`, `standing` | virtual blades of a patch, and how real ones stand between them |
 //! | `planting`, `push`, `held` | blades with a state: where they stand, turned out of bodies, taken and handed back |
 //! | `model`, `step` | a stand, compiled; its step |
+//! | `trail` | how late the tip follows the foot, of the full chain |
 //! | `full` | the chain with nothing left out, f64: what tests compare with |
 
 mod blade;
@@ -31,6 +32,7 @@ mod species;
 mod standing;
 mod steady;
 mod step;
+mod trail;
 mod virtual_blades;
 mod virtual_inertia;
 
@@ -46,6 +48,7 @@ pub use push::{Around, Obstacles, TOLERANCE, is_pushed, push};
 pub use standing::{Standing, leans};
 pub use steady::{SPEEDS, Steady, TOP};
 pub use step::{RESTLESS, loaded, roots, sizes, step as step_stand};
+pub use trail::{Trail, trails};
 pub use virtual_blades::VirtualBlades;
 pub use virtual_inertia::{moments, pose, turned};
 

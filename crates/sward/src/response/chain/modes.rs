@@ -49,7 +49,7 @@ pub(super) fn weight_lever(blade: &Blade, j: usize) -> f64 {
 }
 
 /// Stiffness of the springs alone in the tilts of the segments, N·m/rad.
-fn springs(blade: &Blade) -> Square {
+pub(super) fn springs(blade: &Blade) -> Square {
     let n = blade.segments as usize;
     let mut k = [[0.0; MOST_SEGMENTS]; MOST_SEGMENTS];
     for i in 0..n {

@@ -5,13 +5,14 @@ use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
 use super::patch::{Scratch, Wave, step_patch, wake_patch};
 use super::rest::Rest;
 use super::touch::{PatchContacts, Touched, touch_patch};
-use crate::growth::BARE;
+use crate::growth::{BARE, WHOLE};
 use crate::lanes::{Lanes, Simd, Work};
 use crate::plan::{PatchPlan, StandPlan};
 use crate::response::each::{each, each_with};
 use crate::response::{Stage, StandModel};
 use crate::state::{Cells, Ground, NONE, PatchKey, Summary, TILE};
 use crate::terrain::Terrain;
+use crate::{math, placement};
 
 /// One awake patch at work.
 struct Task<'a> {
@@ -56,8 +57,13 @@ pub fn ground_of(terrain: &Terrain, stand: &StandModel, patch: PatchKey) -> Grou
     if let Some(shares) = stand.growth.tended.map(patch).filter(|_| patch != TILE) {
         let area = shares.len();
         ground.values = ground.planes(area).into();
-        for (height, share) in ground.values[2 * area..].iter_mut().zip(shares) {
-            *height -= stand.coefficients.plant_height * (1.0 - f32::from(*share) / 255.0);
+        let usual = stand.coefficients.plant_height;
+        for (index, (height, share)) in
+            ground.values[2 * area..].iter_mut().zip(shares).enumerate().filter(|(_, (_, share))| **share < WHOLE)
+        {
+            let cell = [index as u32 % stand.cells, index as u32 / stand.cells];
+            let whole = placement::plant(&stand.placement, patch, cell).map_or(usual, |plant| plant.height);
+            *height -= math::upper(usual - whole * (f32::from(*share) / 255.0), 0.0);
         }
     }
     ground

@@ -31,7 +31,7 @@ mod touch;
 pub use air::{Air, AirStep};
 pub use blocks::{BLOCK, Block, Blocks};
 pub use instigator::{Push, least_tilt, push};
-pub use model::{GRAVITY, OscillatorCoefficients, OscillatorError, OscillatorModel};
+pub use model::{GRAVITY, OscillatorCoefficients, OscillatorError, OscillatorModel, least_height};
 pub use poses::Poses;
 pub use rebase::rebase;
 pub use step::{ground_of, is_census, sizes, step as step_stand};

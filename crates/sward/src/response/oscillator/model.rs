@@ -149,6 +149,13 @@ impl OscillatorModel {
     }
 }
 
+/// Height \[m\] below which the weakest plant of a stand falls over that swings at `frequency` \[Hz\] on average, where k differs by `spread` as a share up
+/// and down: (1 − spread)(g + (2πf)² l₀) = g.
+pub fn least_height(frequency: f64, spread: f64) -> f64 {
+    let angular = std::f64::consts::TAU * frequency;
+    GRAVITY * spread / ((1.0 - spread) * angular * angular)
+}
+
 /// How fast the slower part of the motion dies away, 1/s.
 fn slow_rate(gamma: f64, omega_squared: f64) -> f64 {
     let over = gamma * gamma - omega_squared;

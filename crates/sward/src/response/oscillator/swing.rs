@@ -60,6 +60,11 @@ pub(super) fn stamp_held(now: u32, turn: f32) -> u32 {
 }
 
 impl Record {
+    /// Let go without a push after `now` steps, so far from how it stands in the wind \[rad\].
+    pub fn let_go(deviation: [f32; 2], now: u32) -> Self {
+        Self { deviation, rate: 0.0, stamp: (now << 8) | FREE }
+    }
+
     /// The record of cell `cell` in planes of `area` values.
     #[inline(always)]
     pub fn load(planes: &[f32], area: usize, cell: usize) -> Self {

@@ -2,12 +2,16 @@
 
 mod device;
 mod measure;
+mod papers;
+mod project;
+mod recovery;
 mod report;
 
 use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
+use serde::Serialize;
 use sward::response::StandModel;
 use sward::world::World;
 use sward_wgpu::gpu::Gpu;
@@ -29,13 +33,23 @@ const PAIRS: usize = 24;
 /// Pictures drawn.
 const PICTURES: u32 = 5;
 
-/// Measures a scene.
+/// Measures what was asked for.
 pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(), Failure> {
-    let opened = scenes::open(&arguments.scene)?;
+    match (&arguments.scene, arguments.papers) {
+        (Some(scene), _) if arguments.project => project::run(scene, arguments, console),
+        (Some(scene), _) => run_scene(scene, arguments, console),
+        (None, Some(paper)) => papers::run(paper, arguments, console),
+        (None, None) => recovery::run(arguments, console),
+    }
+}
+
+/// Measures a scene.
+fn run_scene(scene: &str, arguments: &arguments::Bench, console: &Console) -> Result<(), Failure> {
+    let opened = scenes::open(scene)?;
     if let Some(folder) = &arguments.output {
         output::folder(folder, false)?;
     }
-    let on = if arguments.on == Machine::Gpu { Where::Gpu } else { Where::Cpu };
+    let on = if arguments.on == Some(Machine::Gpu) { Where::Gpu } else { Where::Cpu };
     let mut world = opened.world(&Cache::new(&arguments.caching), console)?;
     if let Some(precision) = arguments.precision {
         world.scene.budget.precision = precision.into();
@@ -98,7 +112,7 @@ pub(crate) fn run(arguments: &arguments::Bench, console: &Console) -> Result<(),
     };
     // First: what was measured is told even where it cannot be written.
     console.answer(&report.table())?;
-    arguments.output.as_ref().map_or(Ok(()), |folder| write(&report, folder))
+    arguments.output.as_ref().map_or(Ok(()), |folder| write_figures(folder, "bench", &report, &report.csv()))
 }
 
 /// All that is waited for: on the CPU pairs of step and triad, on a GPU what its own clock tells and pairs of precisions.
@@ -154,8 +168,14 @@ fn pair_of(world: &mut World, triad: &mut Triad, step_first: bool) -> [f64; 2] {
     if step_first { [0.5 * (a + d), 0.5 * (b + c)] } else { [0.5 * (b + c), 0.5 * (a + d)] }
 }
 
-fn write(report: &Report, folder: &Path) -> Result<(), Failure> {
-    let json = serde_json::to_string_pretty(report).map_err(|error| Failure::failed(format!("cannot write the figures: {error}")))?;
-    output::write_whole(&folder.join("bench.json"), |writer| writeln!(writer, "{json}"))?;
-    output::write_whole(&folder.join("bench.csv"), |writer| writer.write_all(report.csv().as_bytes()))
+/// Writes figures as NAME.json and NAME.csv.
+fn write_figures(folder: &Path, name: &str, figures: &impl Serialize, csv: &str) -> Result<(), Failure> {
+    let json = serde_json::to_string_pretty(figures).map_err(|error| Failure::failed(format!("cannot write the figures: {error}")))?;
+    output::write_whole(&folder.join(format!("{name}.json")), |writer| writeln!(writer, "{json}"))?;
+    output::write_whole(&folder.join(format!("{name}.csv")), |writer| writer.write_all(csv.as_bytes()))
+}
+
+/// A field of a CSV file.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
 }

@@ -10,6 +10,7 @@ use sward::world::World;
 use sward_wgpu::gpu::Gpu;
 
 use super::measure::{Interval, Ratio, Row};
+use super::quoted;
 use crate::backend::Backend;
 
 /// Everything measured.
@@ -104,11 +105,6 @@ fn processor() -> Option<String> {
     let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
     let (_, name) = text.lines().find(|line| line.starts_with("model name"))?.split_once(':')?;
     Some(name.trim().to_owned())
-}
-
-/// A field of a CSV file.
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('"', "\"\""))
 }
 
 impl Counters {
