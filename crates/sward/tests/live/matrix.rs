@@ -6,6 +6,8 @@
 use sward::interaction::solid::WorldSolid;
 use sward::model::Folder;
 use sward::picture::standing::{StandingPlant, standing};
+use sward::placement;
+use sward::response::springs::pool;
 use sward::scene::inspect::Choice;
 use sward::scene::{
     BladeOverrides, Interactor, Key, Keyframes, LayersOverrides, Path, PlantMesh, Representation, Response, Scene, Shape, Species, Stand,
@@ -58,7 +60,7 @@ fn stand(number: usize, (name, moved): (&str, Response), (shown_as, shown): (&st
         other => other,
     };
     let species = if matches!(response, Response::Harmonic(_)) { Species::Shrub } else { Species::Meadow };
-    let (cells, cover) = if species == Species::Shrub { (8, 0.3) } else { (16, 1.0) };
+    let (cells, cover) = if species == Species::Shrub { (8, 0.7) } else { (16, 1.0) };
     let (response, representation, name) = (Some(response), Some(representation), format!("{name} as {shown_as} {number}"));
     let stand = Stand { name, species, cells: Some(cells), cover, response, representation, ..Stand::default() };
     let scene = Scene { stands: vec![stand.clone()], ..Scene::default() };
@@ -135,15 +137,23 @@ impl Look {
 struct Run {
     looks: Vec<Vec<Look>>,
     bodies: Vec<Vec<WorldSolid>>,
+    /// How deep the deepest point that bodies push is in one, m.
+    depths: Vec<Vec<f64>>,
 }
 
 impl Run {
     fn of(mut world: World, step: &mut dyn FnMut(&mut World, u64)) -> Self {
-        let mut run = Self { looks: Vec::new(), bodies: Vec::new() };
+        let mut run = Self { looks: Vec::new(), bodies: Vec::new(), depths: Vec::new() };
         for moment in MOMENTS {
             step(&mut world, moment);
             run.looks.push((0..world.scene.stands.len()).map(|stand| Look::of(&world, stand)).collect());
-            run.bodies.push(world.solids_now());
+            let bodies = world.solids_now();
+            let deepest = |stand: usize| {
+                let points = pushed_points(&world, stand, &bodies).into_iter();
+                points.flat_map(|point| bodies.iter().map(move |body| body.depth(point))).fold(0.0, f64::max)
+            };
+            run.depths.push((0..world.scene.stands.len()).map(deepest).collect());
+            run.bodies.push(bodies);
         }
         run
     }
@@ -155,20 +165,58 @@ fn apart(a: &Look, b: &Look) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(more, f64::max)
 }
 
-/// Deepest that a plant may be in a body, m, where it is pushed out point by point and drawn as it is pushed. The body appears among plants all at once,
-/// and what stands in its corners finds out of them later.
-fn depth_allowed(stand: &Stand) -> Option<f64> {
+/// Deepest that a point may be in a body, m, where points are pushed out of it one by one: joints of blades, vertices of sheets. The body appears among
+/// plants all at once, and what stands in its corners finds out of them later.
+fn depth_allowed(stand: &Stand, shape: &Shape) -> Option<f64> {
     match (&stand.response, &stand.representation) {
+        // Sheets meet the true shape of a mesh, these depths are in its convex pieces.
+        (Some(Response::Springs(_)), _) if matches!(shape, Shape::Mesh(_)) => None,
+        // Surfaces through joints are smooth, and blades have more points than joints.
         (Some(Response::Chain(_) | Response::VirtualInertia(_)), Some(Representation::Billboard(_) | Representation::Blade(_))) => {
-            Some(0.020)
+            Some(0.030)
         }
-        (Some(Response::Springs(_)), Some(Representation::Sheet(_))) => Some(0.020),
+        (Some(Response::Springs(_)), _) => Some(0.020),
         _ => None,
     }
 }
 
+/// Whether a body stands on a place of the ground.
+fn stood_on(bodies: &[WorldSolid], [x, z]: [f64; 2]) -> bool {
+    bodies.iter().any(|body| body.depth([x, 0.02, z]) > 0.0)
+}
+
+/// Points of a stand that bodies push, of plants on whose roots none stands: what does lies down under it.
+fn pushed_points(world: &World, stand: usize, bodies: &[WorldSolid]) -> Vec<[f64; 3]> {
+    let Some(index) = world.model.stands.iter().position(|model| model.index == stand) else { return Vec::new() };
+    let (model, state) = (&world.model.stands[index], &world.state.stands[index]);
+    let Some(springs) = &model.springs else {
+        let plants = standing(world, index, REGION, 400);
+        let free = plants.into_iter().filter(|plant| !stood_on(bodies, [plant.points[0][0], plant.points[0][2]]));
+        return free.flat_map(|plant| plant.points.into_iter().skip(1)).collect();
+    };
+    let (words, (columns, rows)) = (pool::words(&springs.coefficients), springs.coefficients.sides());
+    let mut points = Vec::new();
+    for ((patch, cell), place) in state.sheets.pool.taken() {
+        let corner = patch.map(|along| f64::from(along) * model.patch_side);
+        let at = [cell % model.cells, cell / model.cells];
+        let Some(plant) = placement::plant(&model.placement, patch, at) else { continue };
+        let (sine, cosine) = plant.yaw.sin_cos();
+        let foot = |share: f32| {
+            let half = share * 0.5 * springs.width;
+            [corner[0] + f64::from(plant.root[0] + half * cosine), corner[1] + f64::from(plant.root[1] + half * sine)]
+        };
+        if [-1.0, 0.0, 1.0].into_iter().any(|share| stood_on(bodies, foot(share))) {
+            continue;
+        }
+        let sheet = &state.cells.sheets[place as usize * words..][..3 * columns * (rows - 1)];
+        let number = |word: u32| f64::from(f32::from_bits(word));
+        points.extend(sheet.chunks_exact(3).map(|v| [corner[0] + number(v[0]), number(v[1]), corner[1] + number(v[2])]));
+    }
+    points
+}
+
 /// All cells of one wind and one shape, against the same without either; what does not hold.
-fn wrong_of(stands: &[Stand], run: &Run, calm: &Run, alone: &Run) -> Vec<String> {
+fn wrong_of(stands: &[Stand], shape: &Shape, run: &Run, [calm, alone]: [&Run; 2]) -> Vec<String> {
     let mut wrong = Vec::new();
     for (index, stand) in stands.iter().enumerate() {
         let mut refuse = |why: String| wrong.push(format!("{}: {why}", stand.label()));
@@ -181,7 +229,7 @@ fn wrong_of(stands: &[Stand], run: &Run, calm: &Run, alone: &Run) -> Vec<String>
         if by_body[0] > 1e-6 || peak < 0.02 {
             refuse(format!("before the body comes {}, while it is there {peak}", by_body[0]));
         }
-        if by_body[MOMENTS.len() - 1] > 0.12 * peak + 2e-3 {
+        if by_body[MOMENTS.len() - 1] > 0.2 * peak + 2e-3 {
             refuse(format!("it does not settle, {} of {peak}", by_body[MOMENTS.len() - 1]));
         }
         // Smooth surfaces through bent chains are a little longer.
@@ -202,13 +250,8 @@ fn wrong_of(stands: &[Stand], run: &Run, calm: &Run, alone: &Run) -> Vec<String>
         }
         for moment in THERE {
             let (own, free, bodies) = (&run.looks[moment][index], &alone.looks[moment][index], &run.bodies[moment]);
-            // One whose root a body stands on is not pushed out: it lies down under it.
-            let stood_on = |plant: &&StandingPlant| {
-                let [x, y, z] = plant.points[0];
-                bodies.iter().any(|body| body.depth([x, y + 0.02, z]) > 0.0)
-            };
-            let deepest = own.plants.iter().filter(|plant| !stood_on(plant)).map(|plant| plant.depth(bodies)).fold(0.0, f64::max);
-            if depth_allowed(stand).is_some_and(|allowed| deepest > allowed) {
+            let deepest = run.depths[moment][index];
+            if depth_allowed(stand, shape).is_some_and(|allowed| deepest > allowed) {
                 refuse(format!("{deepest} m deep in the body at step {}", MOMENTS[moment]));
             }
             // What stands under the body stands no higher than without it.
@@ -248,7 +291,7 @@ fn on_cpu(world: &mut World, last: u64) {
 }
 
 /// Runs all cells, the controls on the CPU; prints how many hold and returns what does not. `run` steps a world, which it sees for the first time, until
-/// a step. In debug builds each wind meets one shape, and each shape one wind.
+/// a step. In debug builds each shape meets one wind.
 pub(crate) fn all(run: &mut dyn FnMut(&mut World, u64)) -> Vec<String> {
     let (stands, refused) = stands();
     println!("{} stands; refused, with reasons:", stands.len());
@@ -258,15 +301,18 @@ pub(crate) fn all(run: &mut dyn FnMut(&mut World, u64)) -> Vec<String> {
     let (mut cells, mut wrong) = (0, Vec::new());
     for (first, (wind, source)) in winds.iter().enumerate() {
         let alone = Run::of(world(&stands, Some(source.clone()), None), &mut on_cpu);
-        for (second, (shape, body)) in shapes.iter().enumerate().filter(|(second, _)| !cfg!(debug_assertions) || first == 0 || *second == 0)
+        for (second, (shape, body)) in shapes.iter().enumerate().filter(|(second, _)| !cfg!(debug_assertions) || second % winds.len() == first)
         {
             let own = Run::of(world(&stands, Some(source.clone()), Some(body)), run);
-            let found = wrong_of(&stands, &own, &calm[second], &alone);
+            let found = wrong_of(&stands, body, &own, [&calm[second], &alone]);
             cells += stands.len();
             wrong.extend(found.into_iter().map(|why| format!("{wind}, {shape}: {why}")));
         }
     }
     println!("{} of {cells} cells hold", cells - wrong.len().min(cells));
+    // Control: where neither wind nor body does anything, every cell is found wrong twice.
+    let control = wrong_of(&stands, &shapes[0].1, &calm[0], [&calm[0], &calm[0]]);
+    assert!(control.len() >= 2 * stands.len(), "{control:#?}");
     wrong
 }
 
