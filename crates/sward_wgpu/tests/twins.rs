@@ -33,8 +33,6 @@ mod layers;
 mod lit;
 #[path = "support/maths.rs"]
 mod maths;
-#[path = "support/matrix.rs"]
-mod matrix;
 #[path = "support/prepared.rs"]
 mod prepared;
 #[path = "support/runs.rs"]
@@ -127,7 +125,6 @@ fn main() -> std::process::ExitCode {
         ("road_and_rising_ground", scenes::road_and_rising_ground),
         ("level_ground_is_raised", scenes::level_ground_is_raised),
         ("inputs_followed", inputs::followed),
-        ("everything_meets_everything", matrix::everything_meets_everything),
         ("questions_answered", asked::answers),
         ("truck_on_hills", scenes::truck_on_hills),
         ("lawn_and_sphere", scenes::lawn_and_sphere),

@@ -1,7 +1,7 @@
 //! Everything meets everything: each response with each representation that goes with it, in each wind, under each shape of body.
 //!
 //! All of them are enumerated from the scene format, so a new variant joins by itself. One world holds all responses and representations as stands on
-//! the same ground; there is one world for each source of wind and each shape. `sward_wgpu` runs the same on a device.
+//! the same ground; there is one world for each source of wind and each shape.
 
 use sward::interaction::solid::WorldSolid;
 use sward::model::Folder;
@@ -69,7 +69,7 @@ fn stand(number: usize, (name, moved): (&str, Response), (shown_as, shown): (&st
 }
 
 /// Every response with every representation, and why some do not go together.
-pub(crate) fn stands() -> (Vec<Stand>, Vec<String>) {
+fn stands() -> (Vec<Stand>, Vec<String>) {
     let (mut found, mut refused) = (Vec::new(), Vec::new());
     for moved in variants(&Response::Continuum(Default::default())) {
         for shown in variants(&Representation::Billboard(Default::default())) {
@@ -267,7 +267,7 @@ fn wrong_of(stands: &[Stand], shape: &Shape, run: &Run, [calm, alone]: [&Run; 2]
 }
 
 /// The sources of wind, each strong enough to be seen.
-pub(crate) fn winds() -> Vec<(&'static str, WindSource)> {
+fn winds() -> Vec<(&'static str, WindSource)> {
     let mut winds = variants(&WindSource::Uniform(Default::default()));
     for (_, wind) in &mut winds {
         match wind {
@@ -280,7 +280,7 @@ pub(crate) fn winds() -> Vec<(&'static str, WindSource)> {
 }
 
 /// The shapes of bodies.
-pub(crate) fn shapes() -> Vec<(&'static str, Shape)> {
+fn shapes() -> Vec<(&'static str, Shape)> {
     variants(&Shape::Truck)
 }
 
@@ -292,7 +292,7 @@ fn on_cpu(world: &mut World, last: u64) {
 
 /// Runs all cells, the controls on the CPU; prints how many hold and returns what does not. `run` steps a world, which it sees for the first time, until
 /// a step. In debug builds each shape meets one wind.
-pub(crate) fn all(run: &mut dyn FnMut(&mut World, u64)) -> Vec<String> {
+fn all(run: &mut dyn FnMut(&mut World, u64)) -> Vec<String> {
     let (stands, refused) = stands();
     println!("{} stands; refused, with reasons:", stands.len());
     refused.iter().for_each(|why| println!("  {}", why.replace('\n', ";")));
