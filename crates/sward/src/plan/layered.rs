@@ -40,6 +40,6 @@ pub struct Brush {
     pub velocity: [f32; 2],
     /// How fast it comes through the plane, m/s, either way.
     pub through: f32,
-    /// Share of a cell's velocity that it sets in this step.
+    /// How far it holds a cell in this step: share of its change that the cell loses, 0 to 1.
     pub hold: f32,
 }

@@ -2,9 +2,11 @@
 
 use sward::geometry::layers::{Extent, depths, layer_of};
 use sward::model::NoAssets;
+use sward::plan::Brush;
+use sward::response::harmonic::{HarmonicCoefficients, TOUCH_SIDE, step_touched};
 use sward::scene::Scene;
 use sward::specimen::Kind;
-use sward::state::LayeredPlant;
+use sward::state::{LayeredPlant, Waves};
 use sward::world::World;
 
 fn world(text: &str) -> World {
@@ -158,4 +160,43 @@ fn it_goes_on_as_if_it_had_never_stopped_anywhere() {
     // Control.
     world.step();
     assert_ne!(world.hash(), far.hash());
+}
+
+/// The most that V comes to in 20 s, over what the body has, if it holds a cell now and then; `step` takes V now and before to V.
+fn pumped(held_for: u32, in_all: u32, step: impl Fn([f32; 2], bool) -> f32) -> f32 {
+    let (mut now, mut old, mut most) = (0.0, 0.0, 0.0_f32);
+    for k in 0..1200 {
+        (now, old) = (step([now, old], k % in_all < held_for), now);
+        most = most.max(now.abs());
+    }
+    most
+}
+
+#[test]
+fn what_holds_leaves_now_and_then_does_not_pump_them_up() {
+    let brush = Brush { at: [0.0, 8.0], half: [64.0; 2], velocity: [1.0, 0.0], through: 0.0, hold: Brush::hold(1.0 / 60.0) };
+    let co = HarmonicCoefficients::new(0.0, 0.5, 0.15, 0.6, 0.5, 1.0 / 60.0);
+    let ours = |[now, old]: [f32; 2], held: bool| {
+        let mut waves = Waves::new(TOUCH_SIDE as usize);
+        waves.now.fill([now, 0.0]);
+        waves.old.fill([old, 0.0]);
+        step_touched(&mut waves, &co, [0.0; 2], if held { std::slice::from_ref(&brush) } else { &[] });
+        waves.now[(TOUCH_SIDE * TOUCH_SIDE / 2 + TOUCH_SIDE / 2) as usize][0]
+    };
+    // Control: V set at once, a share of the way.
+    let leaping = |[now, old]: [f32; 2], held: bool| {
+        let free = now + (1.0 - co.damping) * (now - old) - co.restoring * now;
+        if held { free + brush.hold * (1.0 - free) } else { free }
+    };
+    let (mut most, mut most_leaping) = (0.0_f32, 0.0_f32);
+    for in_all in [2, 3, 7, 15, 30, 60, 120] {
+        for held_for in [1, 2, in_all / 2, in_all - 1].into_iter().filter(|held| (1..in_all).contains(held)) {
+            most = most.max(pumped(held_for, in_all, ours));
+            most_leaping = most_leaping.max(pumped(held_for, in_all, leaping));
+        }
+    }
+    println!("V up to {most:.2} of the body's; set at once up to {most_leaping:.1e}");
+    assert!(most < 2.0, "{most}");
+    assert!(most_leaping > 10.0, "control: {most_leaping}");
+    assert!((pumped(1, 1, ours) - 1.0).abs() < 0.2, "leaves that are held all the time come along");
 }

@@ -74,5 +74,5 @@ fn plant_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         }
     }
     let next = harmonic_free(plane.touch, here, old, around, plant.wind);
-    touch_old[at] = next + held.z * (held.xy - next);
+    touch_old[at] = harmonic_taken_along(plane.touch, next, here, old, held);
 }

@@ -13,7 +13,7 @@ struct HarmonicBrush {
     half_size: vec2<f32>,
     velocity: vec2<f32>, // along the plane, m/s
     through: f32,        // through it, m/s, either way
-    hold: f32,           // share of a cell's velocity that it sets in this step
+    hold: f32,           // how far it holds a cell in this step: share of its change that the cell loses
 }
 
 // Cells along a side of a touched plant's plane.
@@ -25,6 +25,11 @@ const HARMONIC_PARTING: f32 = 0.5;
 fn harmonic_free(co: HarmonicCoefficients, here: vec2<f32>, old: vec2<f32>, around: vec2<f32>, air: vec2<f32>) -> vec2<f32> {
     let pulled = co.spread * (around - 4.0 * here) - co.restoring * (here - co.gain * air);
     return here + (1.0 - co.damping) * (here - old) + pulled;
+}
+
+// V of a held cell that would come to `free` by itself; `held`: the velocity that the body has there, and how far it holds.
+fn harmonic_taken_along(co: HarmonicCoefficients, free: vec2<f32>, here: vec2<f32>, old: vec2<f32>, held: vec3<f32>) -> vec2<f32> {
+    return free - held.z * (1.0 - co.damping) * (here - old) + 0.25 * held.z * held.z * (held.xy - here);
 }
 
 // What a body does to a cell whose middle is `cell` from the root: the velocity it has there, and how far it holds the cell.

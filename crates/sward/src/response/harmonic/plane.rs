@@ -36,6 +36,13 @@ impl HarmonicCoefficients {
 /// What a body does to a cell: the velocity it has there \[m/s\], and how far it holds the cell, 0 to 1.
 pub(super) type Held = ([f32; 2], f32);
 
+/// V of a held cell that would come to `free` from `here` by a change of `carried`: it is drawn to `pushed` by a spring that just does not swing, of
+/// which the step loses `share` of the change. V that were set at once would leap, and swing on by what it leapt: a body that holds a cell now and
+/// then, such as a rotor, would pump it up without bound.
+fn taken_along(free: f32, here: f32, carried: f32, pushed: f32, share: f32) -> f32 {
+    free - share * carried + 0.25 * share * share * (pushed - here)
+}
+
 impl Waves {
     /// Vegetation that rests, on `side` × `side` cells.
     pub fn new(side: usize) -> Self {
@@ -82,7 +89,7 @@ impl Waves {
                         self.now[row + left][part] + self.now[row + right][part] + self.now[below + i][part] + self.now[above + i][part];
                     let pulled = co.spread * (around - 4.0 * here) - co.restoring * (here - co.gain * air[part]);
                     let free = here + (1.0 - co.damping) * (here - old) + pulled;
-                    self.old[row + i][part] = free + share * (pushed[part] - free);
+                    self.old[row + i][part] = taken_along(free, here, (1.0 - co.damping) * (here - old), pushed[part], share);
                 }
             }
         }

@@ -10,7 +10,7 @@ use crate::state::Waves;
 
 /// Cells along a side.
 pub const TOUCH_SIDE: u32 = 16;
-/// Share of a cell's velocity that a body sets in 1/60 s.
+/// Share of its change that V of a cell loses in 1/60 s under a body.
 const HOLD: f32 = 0.35;
 /// How fast leaves give way to the sides, over how fast the body comes through.
 const PARTING: f32 = 0.5;
