@@ -43,7 +43,7 @@ pub const SHIPPED: &[Shipped] = shipped! {
     "crown" at 3.0;
     "aquarium" at 3.0;
     "field" at 3.0;
-    "everything" at 8.5;
+    "everything" at 8.8;
 };
 
 /// The files that come with sward.
