@@ -4,6 +4,7 @@
 
 mod plants;
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::kept::{Fate, Kept};
@@ -65,7 +66,16 @@ impl World {
                 || scene.budget.beyond != self.scene.budget.beyond,
             ground: false,
         };
-        let mut next = Self { scene, model, state: State::default(), lanes: self.lanes, viewed: self.viewed, texels, log: self.log.take() };
+        let mut next = Self {
+            scene,
+            model,
+            state: State::default(),
+            lanes: self.lanes,
+            viewed: self.viewed,
+            texels,
+            events: VecDeque::new(),
+            log: self.log.take(),
+        };
         next.take_time(self, &mut old, changes);
         let ground = next.take_ground(self, &mut old, changes);
         changes.ground = !next.model.terrain.is_same(&self.model.terrain);

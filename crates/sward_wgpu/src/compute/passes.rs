@@ -30,6 +30,7 @@ pub fn assembled() -> String {
     parts.push(sward::wind::WGSL.to_owned());
     parts.push(sward::interaction::WGSL.to_owned());
     parts.extend(sward::response::continuum::WGSL.iter().map(|part| (*part).to_owned()));
+    parts.push(sward::interaction::reaction::SUMS_WGSL.to_owned());
     parts.push(band);
     parts.extend(PARTS.map(str::to_owned));
     parts.join("\n")
@@ -160,7 +161,7 @@ impl Passes {
         Self {
             rest: pass("rest_pass", &[0, 1, 2, 7, 8, 14]),
             wake: pass("wake_pass", &[0, 2, 3, 4, 7]),
-            contact: pass("contact_pass", &[0, 2, 3, 4, 5, 6, 9, 10]),
+            contact: pass("contact_pass", &[0, 2, 3, 5, 6, 7, 9, 10, 11]),
             wave: Pass::new(gpu, &module, "wave_pass", Switches { last_substep: false, half }, wave_bindings),
             last_wave: pass("wave_pass", wave_bindings),
             lag: pass("lag_pass", &[0, 2, 3, 12, 13]),
@@ -235,7 +236,7 @@ pub struct StepBuffers {
     contacts: wgpu::Buffer,
     words: wgpu::Buffer,
     gusty: bool,
-    /// [`SUMMARY_WORDS`] a patch.
+    /// [`SUMMARY_WORDS`] a patch, then the sums of what contacts feel.
     pub summary: wgpu::Buffer,
 }
 
@@ -275,7 +276,7 @@ impl StepBuffers {
             contacts: filled("contacts", bytemuck::cast_slice(&plan.contacts), storage),
             words: filled("edges and pairs", &words, storage),
             held: empty("held cells", entries.touched.len() as u64 * area),
-            summary: empty("summaries", entries.awake.len() as u64 * u64::from(SUMMARY_WORDS)),
+            summary: empty("summaries", super::report_words(plan)),
             gusty: uniform.gusty != 0,
         }
     }

@@ -21,6 +21,13 @@ const HARMONIC_TOUCH_SIDE: u32 = 16u;
 // How fast leaves give way to the sides, over how fast a body comes through.
 const HARMONIC_PARTING: f32 = 0.5;
 
+// What a body feels of the leaves of a cell of `mass` kg over a step of `dt` s, whose velocity `next` it has just set: N along right and up, and against
+// its way through the plane.
+fn harmonic_felt(brush: HarmonicBrush, cell: vec2<f32>, held: vec3<f32>, next: vec2<f32>, mass: f32, dt: f32) -> vec3<f32> {
+    let push = (mass * held.z / (1.0 - held.z) / dt) * (held.xy - next);
+    return vec3<f32>(-push, push.x * HARMONIC_PARTING * (cell.x - brush.at.x) / brush.half_size.x);
+}
+
 // V after a step that nothing holds; `around` is the sum of the four neighbours' V.
 fn harmonic_free(co: HarmonicCoefficients, here: vec2<f32>, old: vec2<f32>, around: vec2<f32>, air: vec2<f32>) -> vec2<f32> {
     let pulled = co.spread * (around - 4.0 * here) - co.restoring * (here - co.gain * air);

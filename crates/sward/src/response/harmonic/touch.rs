@@ -4,6 +4,7 @@
 //! parts them to its sides; waves and rest are those of the wind's plane. Twin: `harmonic.wgsl`.
 
 use super::plane::{HarmonicCoefficients, Held};
+use crate::interaction::reaction::{Felt, Sums};
 use crate::math::{lower, upper};
 use crate::plan::Brush;
 use crate::state::Waves;
@@ -37,12 +38,42 @@ fn middle(cell: usize) -> [f32; 2] {
     [(cell % side) as f32 + 0.5 - 0.5 * TOUCH_SIDE as f32, (cell / side) as f32 + 0.5]
 }
 
-/// One step of a plant's plane, in a local wind \[m/s along the plane\] and under some bodies.
-pub fn step_touched(waves: &mut Waves, co: &HarmonicCoefficients, wind: [f32; 2], brushes: &[Brush]) {
-    let held = |cell: usize| {
+/// What a body feels of the leaves of a cell of `mass` kg over a step of `dt` s, whose velocity `next` it has just set by `held`: N along the plane's right and
+/// up, and against its way through the plane. Leaves that it parts to its sides cost it as much power as they take up.
+#[inline(always)]
+fn felt_of(brush: &Brush, cell: [f32; 2], (pushed, share): Held, next: [f32; 2], mass: f32, dt: f32) -> [f32; 3] {
+    let size = mass * share / (1.0 - share) / dt;
+    let [right, up] = [0, 1].map(|part: usize| size * (pushed[part] - next[part]));
+    let parted = PARTING * (cell[0] - brush.at[0]) / brush.half[0];
+    [-right, -up, right * parted]
+}
+
+/// One step of `dt` s of a plant's plane, whose cells have leaves of `mass` kg, in a local wind \[m/s along the plane\] and under some bodies; `felt` is told what
+/// each of those feels.
+pub fn step_touched(
+    waves: &mut Waves,
+    co: &HarmonicCoefficients,
+    wind: [f32; 2],
+    brushes: &[Brush],
+    (mass, dt): (f32, f32),
+    felt: &mut [Sums],
+) {
+    // The one that holds most.
+    let most = |cell: usize| {
         let at = middle(cell);
-        // The one that holds most.
-        brushes.iter().map(|brush| brush.on(at)).fold(([0.0; 2], 0.0), |most, one| if one.1 > most.1 { one } else { most })
+        let all = brushes.iter().enumerate().map(|(number, brush)| (number, brush.on(at)));
+        all.fold((0, ([0.0; 2], 0.0)), |most, one| if one.1.1 > most.1.1 { one } else { most })
     };
-    waves.step_apart(co, wind, &held);
+    waves.step_apart(co, wind, &|cell| most(cell).1);
+    if brushes.is_empty() {
+        return;
+    }
+    for (cell, next) in waves.now.iter().enumerate() {
+        let (number, held) = most(cell);
+        if held.1 > 0.0
+            && let Some(sums) = felt.get_mut(number)
+        {
+            sums.add(&Felt { force: felt_of(&brushes[number], middle(cell), held, *next, mass, dt), ..Felt::default() });
+        }
+    }
 }
