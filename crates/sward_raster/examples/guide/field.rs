@@ -1,0 +1,64 @@
+//! The worlds of the guide's figures, and what is read from them.
+
+use sward::model::Folder;
+use sward::picture::standing::standing;
+use sward::scene::Scene;
+use sward::world::World;
+
+/// Moment at which the bar is over the middle of the field, s.
+pub(crate) const PASSED: f64 = 1.0;
+
+/// A bar as wide as the field that drives over the middle after a second, so fast that all plants there are let go at nearly the same time.
+pub(crate) const BAR: &str = "interactors: [(
+    shape: Box(size: (28, 0.5, 0.6)), clearance: 0.1, until: 2,
+    path: Keyframes(keys: [(time: 0, at: (0, -12)), (time: 2, at: (0, 12))]),
+)]";
+
+/// A small field of one stand; what `more` says of the scene besides.
+pub(crate) fn field(stand: &str, more: &str) -> Result<World, Box<dyn std::error::Error>> {
+    open(&format!("(version: 1, field: (patch_side: 8, patches: (3, 3)), stands: [({stand})], {more})"))
+}
+
+/// A scene from its text; files it names are those of the repository.
+pub(crate) fn open(text: &str) -> Result<World, Box<dyn std::error::Error>> {
+    let assets = Folder(concat!(env!("CARGO_MANIFEST_DIR"), "/../..").into());
+    Ok(World::new(Scene::parse(text, "guide.ron")?, &assets)?)
+}
+
+/// Steps until a moment.
+pub(crate) fn run(world: &mut World, until: f64) {
+    while world.time() < until - 1e-9 {
+        world.step();
+    }
+}
+
+/// A place half a metre around the middle.
+const MIDDLE: [[f64; 2]; 2] = [[-0.5, -0.5], [0.5, 0.5]];
+
+/// How far the tips in the middle lean on average, rad along x and z.
+pub(crate) fn lean(world: &World) -> [f64; 2] {
+    let leans: Vec<[f64; 2]> = standing(world, 0, MIDDLE, 200).iter().map(|plant| plant.lean()).collect();
+    [0, 1].map(|axis| leans.iter().map(|lean| lean[axis]).sum::<f64>() / leans.len().max(1) as f64)
+}
+
+/// How far the lowest and the highest segment of plants in the middle lean along z on average, rad.
+pub(crate) fn ends(world: &World) -> [f64; 2] {
+    let plants = standing(world, 0, MIDDLE, 200);
+    let tilt = |pair: &[[f64; 3]]| (pair[1][2] - pair[0][2]).atan2(pair[1][1] - pair[0][1]);
+    let of = |pick: fn(&[[f64; 3]]) -> Option<&[[f64; 3]]>| {
+        let tilts: Vec<f64> = plants.iter().filter_map(|plant| pick(&plant.points)).map(tilt).collect();
+        tilts.iter().sum::<f64>() / tilts.len().max(1) as f64
+    };
+    [of(|points| points.first_chunk::<2>().map(|pair| &pair[..])), of(|points| points.last_chunk::<2>().map(|pair| &pair[..]))]
+}
+
+/// Numbers read after every step, from a moment to another, with the time since `PASSED`.
+pub(crate) fn watch(world: &mut World, until: f64, mut read: impl FnMut(&World) -> f64) -> Vec<(f64, f64)> {
+    let mut samples = vec![(world.time() - PASSED, read(world))];
+    while world.time() < until - 1e-9 {
+        // Thirty points a second are smooth.
+        (0..2).for_each(|_| world.step());
+        samples.push((world.time() - PASSED, read(world)));
+    }
+    samples
+}
