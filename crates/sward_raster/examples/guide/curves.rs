@@ -61,6 +61,7 @@ fn lines(area: &Area<'_>, chart: &Chart<'_>, [across, up]: [std::ops::Range<f64>
     let mut axes = ChartBuilder::on(area)
         .caption(chart.title, ("sans-serif", 15))
         .margin(8)
+        .margin_right(18)
         .x_label_area_size(36)
         .y_label_area_size(48)
         .build_cartesian_2d(across, up)?;
@@ -73,6 +74,8 @@ fn lines(area: &Area<'_>, chart: &Chart<'_>, [across, up]: [std::ops::Range<f64>
         .bold_line_style(BLACK.mix(0.12))
         .label_style(("sans-serif", 12))
         .draw()?;
+    // The legend where no line is.
+    let rises = chart.lines.iter().all(|line| line.points.first().zip(line.points.last()).is_some_and(|(first, last)| last.1 > first.1 + 0.1));
     let mut named = 0;
     for (index, line) in chart.lines.iter().enumerate() {
         let colour = COLOURS[index % COLOURS.len()];
@@ -85,7 +88,7 @@ fn lines(area: &Area<'_>, chart: &Chart<'_>, [across, up]: [std::ops::Range<f64>
     }
     if named > 0 {
         axes.configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
+            .position(if rises { SeriesLabelPosition::UpperLeft } else { SeriesLabelPosition::UpperRight })
             .background_style(WHITE.mix(0.85))
             .border_style(BLACK.mix(0.2))
             .label_font(("sans-serif", 12))
@@ -102,6 +105,7 @@ pub(crate) fn maps(path: &Path, titles: &[&str], half: f64, mut draw: impl FnMut
         let mut axes = ChartBuilder::on(area)
             .caption(title, ("sans-serif", 14))
             .margin(6)
+            .margin_right(14)
             .x_label_area_size(22)
             .y_label_area_size(30)
             .build_cartesian_2d(-half..half, -half..half)?;

@@ -60,12 +60,12 @@ pub(crate) fn creep(path: &Path) -> Written {
 /// How far plants lean beside a box that stands.
 pub(crate) fn coupling(path: &Path) -> Written {
     let line = |speed: f32| {
-        let stand = format!("species: Meadow, cells: 128, response: Continuum(c0: {speed}, mu: 0)");
+        let stand = format!("species: Meadow, cells: 64, response: Continuum(c0: {speed}, mu: 0)");
         let mut world = field(&stand, "interactors: [(shape: Box(size: (28, 0.5, 2)), clearance: 0.1)]")?;
         run(&mut world, 5.0);
-        let at = |k: u32| f64::from(k) * 0.0625 + 0.031;
+        let at = |k: u32| f64::from(k) * 0.125 + 0.563;
         let tilt = |k: u32| (at(k) - 1.0, world.bend_at(0, [0.0, at(k)]).map_or(0.0, |bend| f64::from(bend[1])));
-        Ok::<_, Box<dyn std::error::Error>>(Line::new(format!("c0 {speed} m/s"), (0..48).map(tilt).collect()))
+        Ok::<_, Box<dyn std::error::Error>>(Line::new(format!("c0 {speed} m/s"), (0..16).map(tilt).collect()))
     };
     let lines = [0.5, 2.0, 5.0].into_iter().map(line).collect::<Result<_, _>>()?;
     draw(path, &[Chart { title: "a box that stands: how far the press reaches", across: "metres from its edge", up: LEAN, lines }])

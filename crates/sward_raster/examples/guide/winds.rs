@@ -17,8 +17,10 @@ const HALF: f64 = 10.0;
 /// Arrows on an even grid round a place, `scale` m long for each m/s.
 fn air(world: &World, [x, z]: [f64; 2], scale: f64) -> Vec<([f64; 2], [f64; 2])> {
     let at = |k: i32| f64::from(k) * 1.25;
-    let grid = (-7..=7).flat_map(|j| (-7..=7).map(move |i| [at(i), at(j)]));
-    grid.map(|place| (place, world.wind_at([x + place[0], z + place[1]]).map(|part| f64::from(part) * scale))).collect()
+    let grid: Vec<[f64; 2]> = (-7..=7).flat_map(|j| (-7..=7).map(move |i| [at(i), at(j)])).collect();
+    let places: Vec<[f64; 2]> = grid.iter().map(|place| [x + place[0], z + place[1]]).collect();
+    let winds = world.winds_at(&places).into_iter().map(|wind| wind.map(|part| f64::from(part) * scale));
+    grid.into_iter().zip(winds).collect()
 }
 
 /// A picture of wind: a lane that winds its way from one side to the other. Red and green are the direction, blue the strength.
