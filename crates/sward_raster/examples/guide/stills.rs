@@ -82,7 +82,7 @@ pub(crate) fn track(path: &Path) -> Written {
     strip(path, [316, 210], &[
         behind("frequency: 1.7, damping: 0.36")?,
         behind("frequency: 0.36, damping: 4")?,
-        behind("frequency: 0.36, damping: 14")?,
+        behind("frequency: 0.36, damping: 10")?,
     ])
 }
 
