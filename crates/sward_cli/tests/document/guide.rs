@@ -182,7 +182,8 @@ fn every_link_leads_somewhere() {
     let pages = pages();
     assert!(pages.iter().map(|(_, text)| targets(text).len()).sum::<usize>() > 50);
     expect_none(pages.iter().flat_map(|(name, text)| lost_links(name, text)));
-    let wrong = lost_links("docs/guide/tuning.md", "# A b\n[a](#a-b) [b](#b) [c](../cli.md#measure) [d](../cli.md#paint) ![e](pictures/none.png)");
+    let wrong =
+        lost_links("docs/guide/tuning.md", "# A b\n[a](#a-b) [b](#b) [c](../cli.md#measure) [d](../cli.md#paint) ![e](pictures/none.png)");
     assert_eq!(wrong.len(), 3, "{wrong:?}");
 }
 
@@ -237,8 +238,10 @@ fn every_block_of_the_guide_is_checked() {
 fn every_picture_of_the_guide_is_shown_and_made() {
     let pictures = files("docs/guide/pictures", "");
     assert!(pictures.len() > 10, "only {} pictures", pictures.len());
-    let shown: BTreeSet<String> =
-        chapters().iter().flat_map(|(name, text)| targets(text).into_iter().filter_map(|target| named_by(name, &target)).collect::<Vec<_>>()).collect();
+    let shown: BTreeSet<String> = chapters()
+        .iter()
+        .flat_map(|(name, text)| targets(text).into_iter().filter_map(|target| named_by(name, &target)).collect::<Vec<_>>())
+        .collect();
     expect_none(stray_pictures(&shown, &pictures, &read("crates/sward_raster/examples/guide/main.rs")));
     let bytes = |name: &String| std::fs::metadata(root().join(name)).map_or(0, |data| data.len());
     let all: u64 = pictures.iter().map(bytes).sum();

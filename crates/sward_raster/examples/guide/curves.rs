@@ -75,7 +75,8 @@ fn lines(area: &Area<'_>, chart: &Chart<'_>, [across, up]: [std::ops::Range<f64>
         .label_style(("sans-serif", 12))
         .draw()?;
     // The legend where no line is.
-    let rises = chart.lines.iter().all(|line| line.points.first().zip(line.points.last()).is_some_and(|(first, last)| last.1 > first.1 + 0.1));
+    let rises =
+        chart.lines.iter().all(|line| line.points.first().zip(line.points.last()).is_some_and(|(first, last)| last.1 > first.1 + 0.1));
     let mut named = 0;
     for (index, line) in chart.lines.iter().enumerate() {
         let colour = COLOURS[index % COLOURS.len()];

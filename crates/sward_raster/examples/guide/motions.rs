@@ -19,42 +19,63 @@ fn passed(stand: &str, until: f64) -> Result<Vec<(f64, f64)>, Box<dyn std::error
 
 /// One chart of the same release of several stands, each with a label.
 fn releases(path: &Path, title: &str, until: f64, stands: &[(&str, &str)]) -> Written {
-    let lines: Result<Vec<Line>, _> = stands.iter().map(|(label, stand)| passed(stand, until).map(|points| Line::new(*label, points))).collect();
+    let lines: Result<Vec<Line>, _> =
+        stands.iter().map(|(label, stand)| passed(stand, until).map(|points| Line::new(*label, points))).collect();
     draw(path, &[Chart { title, across: TIME, up: LEAN, lines: lines? }])
 }
 
 pub(crate) fn release(path: &Path) -> Written {
-    releases(path, "meadow, one release, each response by itself", 4.5, &[
-        ("Continuum", "species: Meadow, cells: 32"),
-        ("Oscillator", "species: Meadow, cells: 32, response: Oscillator()"),
-        ("VirtualInertia", "species: Meadow, cells: 32, response: VirtualInertia()"),
-        ("Springs", "species: Meadow, cells: 32, response: Springs()"),
-    ])
+    releases(
+        path,
+        "meadow, one release, each response by itself",
+        4.5,
+        &[
+            ("Continuum", "species: Meadow, cells: 32"),
+            ("Oscillator", "species: Meadow, cells: 32, response: Oscillator()"),
+            ("VirtualInertia", "species: Meadow, cells: 32, response: VirtualInertia()"),
+            ("Springs", "species: Meadow, cells: 32, response: Springs()"),
+        ],
+    )
 }
 
 pub(crate) fn frequency(path: &Path) -> Written {
-    releases(path, "Continuum(frequency: …, damping: 0.2)", 4.5, &[
-        ("0.8 Hz", "species: Meadow, cells: 32, response: Continuum(frequency: 0.8, damping: 0.2)"),
-        ("1.7 Hz", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 0.2)"),
-        ("3.4 Hz", "species: Meadow, cells: 32, response: Continuum(frequency: 3.4, damping: 0.2)"),
-    ])
+    releases(
+        path,
+        "Continuum(frequency: …, damping: 0.2)",
+        4.5,
+        &[
+            ("0.8 Hz", "species: Meadow, cells: 32, response: Continuum(frequency: 0.8, damping: 0.2)"),
+            ("1.7 Hz", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 0.2)"),
+            ("3.4 Hz", "species: Meadow, cells: 32, response: Continuum(frequency: 3.4, damping: 0.2)"),
+        ],
+    )
 }
 
 pub(crate) fn damping(path: &Path) -> Written {
-    releases(path, "Continuum(frequency: 1.7, damping: …)", 3.5, &[
-        ("0.1", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 0.1)"),
-        ("0.36", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 0.36)"),
-        ("1", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 1)"),
-        ("2.5", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 2.5)"),
-    ])
+    releases(
+        path,
+        "Continuum(frequency: 1.7, damping: …)",
+        3.5,
+        &[
+            ("0.1", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 0.1)"),
+            ("0.36", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 0.36)"),
+            ("1", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 1)"),
+            ("2.5", "species: Meadow, cells: 32, response: Continuum(frequency: 1.7, damping: 2.5)"),
+        ],
+    )
 }
 
 pub(crate) fn creep(path: &Path) -> Written {
-    releases(path, "tracks that stay: Continuum(frequency: 0.36, damping: …)", 16.0, &[
-        ("1", "species: Meadow, cells: 32, response: Continuum(frequency: 0.36, damping: 1)"),
-        ("4", "species: Meadow, cells: 32, response: Continuum(frequency: 0.36, damping: 4)"),
-        ("10", "species: Meadow, cells: 32, response: Continuum(frequency: 0.36, damping: 10)"),
-    ])
+    releases(
+        path,
+        "tracks that stay: Continuum(frequency: 0.36, damping: …)",
+        16.0,
+        &[
+            ("1", "species: Meadow, cells: 32, response: Continuum(frequency: 0.36, damping: 1)"),
+            ("4", "species: Meadow, cells: 32, response: Continuum(frequency: 0.36, damping: 4)"),
+            ("10", "species: Meadow, cells: 32, response: Continuum(frequency: 0.36, damping: 10)"),
+        ],
+    )
 }
 
 /// How far plants lean beside a box that stands.
@@ -90,12 +111,17 @@ pub(crate) fn trail(path: &Path) -> Written {
 }
 
 pub(crate) fn recover(path: &Path) -> Written {
-    releases(path, "Springs(recover: …)", 6.5, &[
-        ("1 s", "species: Meadow, cells: 32, response: Springs(recover: 1)"),
-        ("2.5 s", "species: Meadow, cells: 32, response: Springs(recover: 2.5)"),
-        ("5 s", "species: Meadow, cells: 32, response: Springs(recover: 5)"),
-        ("5 s, recovery: Cubic", "species: Meadow, cells: 32, response: Springs(recover: 5, recovery: Cubic)"),
-    ])
+    releases(
+        path,
+        "Springs(recover: …)",
+        6.5,
+        &[
+            ("1 s", "species: Meadow, cells: 32, response: Springs(recover: 1)"),
+            ("2.5 s", "species: Meadow, cells: 32, response: Springs(recover: 2.5)"),
+            ("5 s", "species: Meadow, cells: 32, response: Springs(recover: 5)"),
+            ("5 s, recovery: Cubic", "species: Meadow, cells: 32, response: Springs(recover: 5, recovery: Cubic)"),
+        ],
+    )
 }
 
 /// How far plants lean in steady wind of several speeds, after three seconds of it.
@@ -116,20 +142,28 @@ fn winds(path: &Path, title: &str, stands: &[(&str, &str)]) -> Written {
 }
 
 pub(crate) fn steady(path: &Path) -> Written {
-    winds(path, "meadow in steady wind, each response by itself", &[
-        ("Continuum", "species: Meadow, cells: 32"),
-        ("Oscillator", "species: Meadow, cells: 32, response: Oscillator()"),
-        ("VirtualInertia", "species: Meadow, cells: 32, response: VirtualInertia()"),
-        ("Springs", "species: Meadow, cells: 32, response: Springs()"),
-    ])
+    winds(
+        path,
+        "meadow in steady wind, each response by itself",
+        &[
+            ("Continuum", "species: Meadow, cells: 32"),
+            ("Oscillator", "species: Meadow, cells: 32, response: Oscillator()"),
+            ("VirtualInertia", "species: Meadow, cells: 32, response: VirtualInertia()"),
+            ("Springs", "species: Meadow, cells: 32, response: Springs()"),
+        ],
+    )
 }
 
 pub(crate) fn gain(path: &Path) -> Written {
-    winds(path, "Continuum(wind: …)", &[
-        ("0.1", "species: Meadow, cells: 32, response: Continuum(wind: 0.1)"),
-        ("0.0356, the meadow's", "species: Meadow, cells: 32"),
-        ("0.01", "species: Meadow, cells: 32, response: Continuum(wind: 0.01)"),
-    ])
+    winds(
+        path,
+        "Continuum(wind: …)",
+        &[
+            ("0.1", "species: Meadow, cells: 32, response: Continuum(wind: 0.1)"),
+            ("0.0356, the meadow's", "species: Meadow, cells: 32"),
+            ("0.01", "species: Meadow, cells: 32, response: Continuum(wind: 0.01)"),
+        ],
+    )
 }
 
 /// Twelve plants by themselves, let go at once, for several spreads.

@@ -68,22 +68,26 @@ pub(crate) fn representations(path: &Path) -> Written {
         );
         at(&text, 2.0)
     };
-    strip(path, [300, 200], &[
-        near("species: Meadow, representation: Billboard()")?,
-        near("species: Meadow, representation: Sheet()")?,
-        near("species: Meadow, representation: Blade()")?,
-        near("species: Shrub, places: [(at: (0, 1.9), height: 1.1)]")?,
-    ])
+    strip(
+        path,
+        [300, 200],
+        &[
+            near("species: Meadow, representation: Billboard()")?,
+            near("species: Meadow, representation: Sheet()")?,
+            near("species: Meadow, representation: Blade()")?,
+            near("species: Shrub, places: [(at: (0, 1.9), height: 1.1)]")?,
+        ],
+    )
 }
 
 /// What the truck leaves behind with three damping ratios.
 pub(crate) fn track(path: &Path) -> Written {
     let behind = |response: &str| truck(&format!("species: Meadow, response: Continuum({response})"), 14.0);
-    strip(path, [316, 210], &[
-        behind("frequency: 1.7, damping: 0.36")?,
-        behind("frequency: 0.36, damping: 4")?,
-        behind("frequency: 0.36, damping: 10")?,
-    ])
+    strip(
+        path,
+        [316, 210],
+        &[behind("frequency: 1.7, damping: 0.36")?, behind("frequency: 0.36, damping: 4")?, behind("frequency: 0.36, damping: 10")?],
+    )
 }
 
 pub(crate) fn gain(path: &Path) -> Written {
