@@ -44,12 +44,15 @@ pub(crate) fn lean(world: &World) -> [f64; 2] {
 /// How far the lowest and the highest segment of plants in the middle lean along z on average, rad.
 pub(crate) fn ends(world: &World) -> [f64; 2] {
     let plants = standing(world, 0, MIDDLE, 200);
-    let tilt = |pair: &[[f64; 3]]| (pair[1][2] - pair[0][2]).atan2(pair[1][1] - pair[0][1]);
-    let of = |pick: fn(&[[f64; 3]]) -> Option<&[[f64; 3]]>| {
-        let tilts: Vec<f64> = plants.iter().filter_map(|plant| pick(&plant.points)).map(tilt).collect();
-        tilts.iter().sum::<f64>() / tilts.len().max(1) as f64
-    };
-    [of(|points| points.first_chunk::<2>().map(|pair| &pair[..])), of(|points| points.last_chunk::<2>().map(|pair| &pair[..]))]
+    let tilt = |from: [f64; 3], to: [f64; 3]| (to[2] - from[2]).atan2(to[1] - from[1]);
+    let mut sums = [0.0; 2];
+    for plant in &plants {
+        if let ([root, first, ..], [.., last, tip]) = (&plant.points[..], &plant.points[..]) {
+            sums[0] += tilt(*root, *first);
+            sums[1] += tilt(*last, *tip);
+        }
+    }
+    sums.map(|sum| sum / plants.len().max(1) as f64)
 }
 
 /// Numbers read after every step, from a moment to another, with the time since `PASSED`.
