@@ -43,6 +43,7 @@ pub const SHIPPED: &[Shipped] = shipped! {
     "crown" at 3.0;
     "aquarium" at 3.0;
     "field" at 3.0;
+    "everything" at 8.5;
 };
 
 /// The files that come with sward.
@@ -52,6 +53,8 @@ pub struct Embedded;
 const FILES: &[(&str, &[u8])] = &[
     ("assets/jacksboro.png", include_bytes!("../../../assets/jacksboro.png")),
     ("assets/jacksboro.toml", include_bytes!("../../../assets/jacksboro.toml")),
+    ("assets/clump.png", include_bytes!("../../../assets/clump.png")),
+    ("assets/helicopter.glb", include_bytes!("../../../assets/helicopter.glb")),
     ("assets/torus.glb", include_bytes!("../../../assets/torus.glb")),
     ("assets/walker.glb", include_bytes!("../../../assets/walker.glb")),
 ];

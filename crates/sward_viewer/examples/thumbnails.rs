@@ -1,4 +1,5 @@
-//! Draws the small pictures of the scene menu anew: `cargo run --release -p sward_viewer --example thumbnails`.
+//! Draws the small pictures of the scene menu anew: `cargo run --release -p sward_viewer --example thumbnails`; names of scenes after `--` draw
+//! only those.
 
 use std::path::Path;
 
@@ -13,7 +14,8 @@ const SIZE: [u32; 2] = [192, 108];
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let gpu = Gpu::new()?;
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("thumbnails");
-    for shipped in sward_scenes::SHIPPED {
+    let names: Vec<String> = std::env::args().skip(1).collect();
+    for shipped in sward_scenes::SHIPPED.iter().filter(|shipped| names.is_empty() || names.iter().any(|name| name == shipped.name)) {
         let mut world = World::new(Scene::parse(shipped.text, shipped.name)?, &sward_scenes::Embedded)?;
         while world.time() < shipped.time {
             world.step();

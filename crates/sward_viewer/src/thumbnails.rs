@@ -9,7 +9,7 @@ macro_rules! pictures {
 /// Names and JPEGs.
 const PICTURES: &[(&str, &[u8])] = pictures! {
     "hello" "lawn" "reed" "crossing" "downwash" "road" "paper" "endless" "blades" "grassland" "footsteps" "stamp" "walkers" "eddies" "shrub"
-    "crown" "aquarium" "field"
+    "crown" "aquarium" "field" "everything"
 };
 
 /// The picture of a scene, which egui keeps from the first time on; `None` for a scene without one, or not yet: they are read one a pass, so that the
