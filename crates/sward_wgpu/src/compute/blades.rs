@@ -13,7 +13,7 @@ use super::air::AirTexels;
 use super::buffers::CellBuffers;
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::stopwatch::Stopwatch;
 
 /// `ChainStand`, for hosts that read virtual blades; needs [`chain::WGSL`] before it.
@@ -145,14 +145,11 @@ impl BladePasses {
 
     /// Builds the pipelines; wind is read from `air`.
     pub fn new(gpu: &Gpu, air: &AirTexels) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("blades"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("blades", assembled());
         Self {
-            virtual_blades: Pass::plain(gpu, &module, "virtual_pass", &[0, 1, 2, 3, 4, 5, 8, 11, 14]),
-            busy: Pass::plain(gpu, &module, "busy_pass", &[0, 2, 6, 7, 10, 11]),
-            blades: Pass::plain(gpu, &module, "blades_pass", &[0, 1, 2, 3, 4, 6, 7, 8, 10, 11, 14]),
+            virtual_blades: Pass::plain(gpu, &program, "virtual_pass", &[0, 1, 2, 3, 4, 5, 8, 11, 14]),
+            busy: Pass::plain(gpu, &program, "busy_pass", &[0, 2, 6, 7, 10, 11]),
+            blades: Pass::plain(gpu, &program, "blades_pass", &[0, 1, 2, 3, 4, 6, 7, 8, 10, 11, 14]),
             tile: air.buffer.clone(),
         }
     }

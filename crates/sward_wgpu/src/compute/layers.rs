@@ -11,7 +11,7 @@ use super::air::AirTexels;
 use super::download::Arriving;
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::{Gpu, GpuError, Program};
 use crate::render::layers::WaveBuffers;
 use crate::stopwatch::Stopwatch;
 
@@ -168,13 +168,10 @@ impl LayeredBuffers {
 impl LayerPasses {
     /// Builds the pipelines.
     pub fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("waves of meshes"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("waves of meshes", assembled());
         Self {
-            plane: Pass::plain(gpu, &module, "plane_pass", &[0, 1, 2, 3, 4, 8]),
-            plant: Pass::plain(gpu, &module, "plant_pass", &[0, 5, 6, 7, 9, 10]),
+            plane: Pass::plain(gpu, &program, "plane_pass", &[0, 1, 2, 3, 4, 8]),
+            plant: Pass::plain(gpu, &program, "plant_pass", &[0, 5, 6, 7, 9, 10]),
         }
     }
 

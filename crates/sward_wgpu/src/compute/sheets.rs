@@ -18,7 +18,7 @@ use super::buffers::CellBuffers;
 use super::distance_maps::{DistanceMapPasses, MapInput};
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::stopwatch::Stopwatch;
 
 /// How sheets lie in their words; needs the springs' texts before it.
@@ -120,15 +120,12 @@ impl SheetPasses {
     /// Builds the pipelines and uploads the maps of bodies: of those that play no clip they stay. Wind is read
     /// from `air`.
     pub fn new(gpu: &Gpu, world: &World, air: &AirTexels) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("sheets"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("sheets", assembled());
         let storage = wgpu::BufferUsages::STORAGE;
         let texels = if world.texels.is_empty() { &[[0.0; 4]][..] } else { &world.texels };
         Self {
-            touch: Pass::plain(gpu, &module, "sheet_touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8]),
-            resolve: Pass::plain(gpu, &module, "sheet_resolve_pass", &[0, 2, 3, 4, 5, 6, 7]),
+            touch: Pass::plain(gpu, &program, "sheet_touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8]),
+            resolve: Pass::plain(gpu, &program, "sheet_resolve_pass", &[0, 2, 3, 4, 5, 6, 7]),
             maps: world.model.bodies.iter().any(|body| body.is_animated()).then(|| DistanceMapPasses::new(gpu)),
             tile: air.buffer.clone(),
             texels: gpu.filled("maps of bodies", bytemuck::cast_slice(texels), storage),

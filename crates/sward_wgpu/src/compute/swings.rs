@@ -16,7 +16,7 @@ use super::blades::SUMMARY_WORDS;
 use super::buffers::CellBuffers;
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::stopwatch::Stopwatch;
 
 /// Most workgroups along one axis that are asked for.
@@ -153,15 +153,12 @@ impl SwingPasses {
 
     /// Builds the pipelines; wind is read from `air`.
     pub fn new(gpu: &Gpu, air: &AirTexels) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("swings"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("swings", assembled());
         Self {
-            rebase: Pass::plain(gpu, &module, "rebase_pass", &[0, 2, 3, 6]),
-            air: Pass::plain(gpu, &module, "air_pass", &[0, 1, 2, 4, 8, 11, 14]),
-            fade: Pass::plain(gpu, &module, "fade_pass", &[0, 2, 3]),
-            touch: Pass::plain(gpu, &module, "touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8, 10, 11, 14]),
+            rebase: Pass::plain(gpu, &program, "rebase_pass", &[0, 2, 3, 6]),
+            air: Pass::plain(gpu, &program, "air_pass", &[0, 1, 2, 4, 8, 11, 14]),
+            fade: Pass::plain(gpu, &program, "fade_pass", &[0, 2, 3]),
+            touch: Pass::plain(gpu, &program, "touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8, 10, 11, 14]),
             tile: air.buffer.clone(),
         }
     }
