@@ -31,6 +31,8 @@ mod kernels;
 mod layers;
 #[path = "support/lit.rs"]
 mod lit;
+#[path = "support/matrix.rs"]
+mod matrix;
 #[path = "support/maths.rs"]
 mod maths;
 #[path = "support/prepared.rs"]
@@ -127,6 +129,7 @@ fn main() -> std::process::ExitCode {
         ("road_and_rising_ground", scenes::road_and_rising_ground),
         ("level_ground_is_raised", scenes::level_ground_is_raised),
         ("inputs_followed", inputs::followed),
+        ("everything_meets_everything", matrix::matrix),
         ("reactions_of_meshes", reactions::of_meshes),
         ("questions_answered", asked::answers),
         ("truck_on_hills", scenes::truck_on_hills),

@@ -40,6 +40,9 @@ pub fn target_of(model: &SpringsModel, root: &SheetRoot, wind: &WindField, phase
     pose(&model.coefficients, root, [bend(-1.0), bend(1.0)])
 }
 
+/// A sheet after a step, and which of its bodies feels what.
+type Moved = (HeldSheet, Option<(u32, Felt)>);
+
 /// One step of all sheets: `texels` are of all maps. Returns what activation wants to know of each patch, and what each of `plan.sheets.heads` feels. `ended` hears
 /// of the stage that has just ended.
 pub fn step_stand(
@@ -58,7 +61,7 @@ pub fn step_stand(
         cells.sheets.resize(places * each_words, 0);
     }
     let (stored, grown) = (&cells.sheets, &cells.grown);
-    let moved: Vec<Option<(HeldSheet, Option<(u32, Felt)>)>> = each(plan.sheets.active.iter().collect(), |sheet: &ActiveSheet| {
+    let moved: Vec<Option<Moved>> = each(plan.sheets.active.iter().collect(), |sheet: &ActiveSheet| {
         let patch = &plan.patches[sheet.patch as usize];
         let root = root_of(terrain, stand, model, grown.get(&patch.patch).map(|map| &map[..]), patch.patch, sheet.cell)?;
         let phases = plan.wind.patch_phases(patch.patch, stand.cells / NODE_CELLS);
