@@ -83,10 +83,13 @@ fn on_keys(keys: &[Key], repeat: bool, clearance: f64, time: f64) -> Station {
         motion[axis] = ((q - p) * (6.0 * s - 6.0 * s2) + m * (3.0 * s2 - 4.0 * s + 1.0) + n * (3.0 * s2 - 2.0 * s)) / span;
     }
     let moving = motion[0] * motion[0] + motion[1] * motion[1] > 1e-8;
+    let along = if moving { math::atan2_f64(motion[0], motion[1]) } else { resting_heading(keys, segment - 1) };
+    // From or to a key that says nothing, a body turns out of its motion or into it: a heading never jumps.
     let yaw = match (a.yaw, b.yaw) {
         (Some(from), Some(to)) => from + math::wrapped_angle(to - from) * s,
-        _ if moving => math::atan2_f64(motion[0], motion[1]),
-        _ => resting_heading(keys, segment - 1),
+        (Some(from), None) => along + math::wrapped_angle(from - along) * (1.0 - s),
+        (None, Some(to)) => along + math::wrapped_angle(to - along) * s,
+        (None, None) => along,
     };
     Station { ground, yaw, clearance: clear(a) + (clear(b) - clear(a)) * s }
 }

@@ -43,7 +43,7 @@ parameters! {
         time: f64 = 0.0, "s" in 0.0..=1000000000.0, required;
         /// Position.
         at: [f64; 2] = [0.0, 0.0], "m" in -1000000.0..=1000000.0, required;
-        /// Heading. Without it the body faces along its motion.
+        /// Heading. Without it the body faces along its motion; from and to a key that has one it turns evenly.
         yaw: Option<f64> = None, "rad" in -100.0..=100.0;
         /// Height of the lowest point above the ground. Without it the interactor's.
         clearance: Option<f32> = None, "m" in -2.0..=1000.0;

@@ -17,6 +17,7 @@ mod growth;
 mod halved;
 mod layers;
 mod patches;
+mod paths;
 mod placement;
 mod residents;
 mod standing;
