@@ -3,8 +3,8 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use sward::lanes::Lanes;
-use sward::model::Folder;
 use sward::math::{hash, unit};
+use sward::model::Folder;
 use sward::scene::{Change, Circle, Edit, Interactor, Natural, Path as Way, Scene, Shape, Sphere, WindSource, response};
 use sward::world::{Log, World};
 

@@ -31,10 +31,10 @@ mod kernels;
 mod layers;
 #[path = "support/lit.rs"]
 mod lit;
-#[path = "support/matrix.rs"]
-mod matrix;
 #[path = "support/maths.rs"]
 mod maths;
+#[path = "support/matrix.rs"]
+mod matrix;
 #[path = "support/prepared.rs"]
 mod prepared;
 #[path = "support/reactions.rs"]

@@ -301,9 +301,7 @@ pub(crate) fn all(run: &mut dyn FnMut(&mut World, u64), every: bool) -> Vec<Stri
     let (mut cells, mut wrong) = (0, Vec::new());
     for (first, (wind, source)) in winds.iter().enumerate() {
         let alone = Run::of(world(&stands, Some(source.clone()), None), &mut on_cpu);
-        for (second, (shape, body)) in
-            shapes.iter().enumerate().filter(|(second, _)| every || second % winds.len() == first)
-        {
+        for (second, (shape, body)) in shapes.iter().enumerate().filter(|(second, _)| every || second % winds.len() == first) {
             let own = Run::of(world(&stands, Some(source.clone()), Some(body)), run);
             let found = wrong_of(&stands, body, &own, [&calm[second], &alone]);
             cells += stands.len();
