@@ -118,7 +118,7 @@ fn a_body_that_is_gone_has_left() {
     (0..10).for_each(|_| world.step());
     assert!(world.reaction(0).unwrap().plants > 0);
     assert_eq!(world.reaction(1), None);
-    assert_eq!(world.take_events().last().map(|event| event.what.clone()).map(|what| matches!(what, Happening::Left)), Some(false));
+    assert!(world.take_events().last().is_some_and(|event| event.what != Happening::Left));
     world.remove_body(0);
     assert_eq!(world.take_events().into_iter().map(|event| event.what).collect::<Vec<_>>(), [Happening::Left]);
     world.step();
@@ -135,7 +135,8 @@ fn reactions_go_on_in_a_saved_state() {
     assert_eq!(again.reaction(0), world.reaction(0));
     world.take_events();
     for _ in 0..60 {
-        (world.step(), again.step());
+        world.step();
+        again.step();
         assert_eq!(again.reaction(0), world.reaction(0));
     }
     assert_eq!(again.take_events(), world.take_events());
@@ -187,7 +188,8 @@ fn passed_over_cell(speed: f32, rate: f32) -> [f32; 3] {
 
 #[test]
 fn work_becomes_energy() {
-    let ways: [(&str, fn(f32, f32) -> [f32; 3]); 2] = [("oscillator", passed_over), ("continuum", passed_over_cell)];
+    type Passed = fn(f32, f32) -> [f32; 3];
+    let ways: [(&str, Passed); 2] = [("oscillator", passed_over), ("continuum", passed_over_cell)];
     for (name, passed) in ways {
         for rate in [60.0, 1000.0] {
             let [work, energy, _] = passed(0.1, rate);
