@@ -93,7 +93,7 @@ const REPLAYED: u64 = if cfg!(debug_assertions) { 1000 } else { 10_000 };
 /// A small world of which each response of grass has a stand.
 fn lived_at_first() -> Scene {
     let text = "(version: 1, field: (patch_side: 8, patches: (3, 3)), camera: (eye: (3, 2, 1), target: (3, 0.5, 4)),
-        budget: (patches: 9, focus_distance: 3, catch_up: 64),
+        budget: (patches: 9, focus_distance: 3),
         stands: [(species: Meadow, cells: 16), (species: Tussock, cells: 16, cover: 0.5, response: Oscillator()),
                  (species: Meadow, name: \"sheets\", cells: 8, cover: 0.3, response: Springs()),
                  (species: Reed, cells: 8, cover: 0.1, response: VirtualInertia(), representation: Blade(blades: 2))],
