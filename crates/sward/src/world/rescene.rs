@@ -8,7 +8,6 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::kept::{Fate, Kept};
-use plants::same_stands;
 use super::{Input, World, due};
 use crate::model::{Assets, Model, rebased};
 use crate::response::harmonic::LayeredStand;
@@ -16,6 +15,7 @@ use crate::scene::{Interactor, Scene, SceneError};
 use crate::state::{BodyState, State, WindState};
 use crate::terrain::Edits;
 use crate::wind::fluid::FluidState;
+use plants::same_stands;
 
 /// What concerns everything that has a place or a time.
 #[derive(Clone, Copy)]
