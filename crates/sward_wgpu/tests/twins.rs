@@ -33,8 +33,6 @@ mod layers;
 mod lit;
 #[path = "support/maths.rs"]
 mod maths;
-#[path = "support/matrix.rs"]
-mod matrix;
 #[path = "support/prepared.rs"]
 mod prepared;
 #[path = "support/reactions.rs"]
@@ -129,7 +127,6 @@ fn main() -> std::process::ExitCode {
         ("road_and_rising_ground", scenes::road_and_rising_ground),
         ("level_ground_is_raised", scenes::level_ground_is_raised),
         ("inputs_followed", inputs::followed),
-        ("everything_meets_everything", matrix::matrix),
         ("reactions_of_meshes", reactions::of_meshes),
         ("questions_answered", asked::answers),
         ("truck_on_hills", scenes::truck_on_hills),

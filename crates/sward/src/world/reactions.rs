@@ -39,7 +39,7 @@ impl World {
     pub(super) fn feel(&mut self, step: u64, reports: &[Report]) {
         let bodies = self.state.bodies.len();
         let mut reactions = vec![Reaction::default(); bodies];
-        let pace = (PACE / self.model.dt).round().max(1.0) as u64;
+        let pace = ((PACE / self.model.dt).round() as u64).max(1);
         for (number, report) in reports.iter().enumerate() {
             let Some(stand) = self.stand_number(number) else { continue };
             for (toucher, sums) in report.felt.iter().filter(|(toucher, _)| (toucher.body as usize) < bodies) {

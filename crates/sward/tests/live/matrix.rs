@@ -1,7 +1,7 @@
 //! Everything meets everything: each response with each representation that goes with it, in each wind, under each shape of body.
 //!
 //! All of them are enumerated from the scene format, so a new variant joins by itself. One world holds all responses and representations as stands on
-//! the same ground; there is one world for each source of wind and each shape. `sward_wgpu` runs the same on a device.
+//! the same ground; there is one world for each source of wind and each shape.
 
 use sward::interaction::solid::WorldSolid;
 use sward::model::Folder;
@@ -292,7 +292,7 @@ fn on_cpu(world: &mut World, last: u64) {
 
 /// Runs all cells, the controls on the CPU; prints how many hold and returns what does not. `run` steps a world, which it sees for the first time, until
 /// a step. Unless `every` wind meets every shape, each shape meets one wind.
-pub(crate) fn all(run: &mut dyn FnMut(&mut World, u64), every: bool) -> Vec<String> {
+fn all(run: &mut dyn FnMut(&mut World, u64), every: bool) -> Vec<String> {
     let (stands, refused) = stands();
     println!("{} stands; refused, with reasons:", stands.len());
     refused.iter().for_each(|why| println!("  {}", why.replace('\n', ";")));
