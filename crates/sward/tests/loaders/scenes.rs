@@ -55,6 +55,8 @@ fn files() -> Files {
         ("whirl.png", terrains::directions()),
         ("grey.png", terrains::shades()),
         ("walker.glb", glb::walker().bytes()),
+        ("assets/clump.png", terrains::shades()),
+        ("assets/helicopter.glb", glb::walker().bytes()),
         ("assets/torus.glb", glb::walker().bytes()),
         ("assets/walker.glb", glb::walker().bytes()),
     ])
