@@ -154,10 +154,12 @@ fn a_recorded_run_is_the_same_for_ever() {
         assert_eq!(again.take_events(), events, "{threads} threads");
     }
     // Control: a hundred steps, and one input less.
-    let first = |log: Log| {
+    let first = |mut log: Log| {
+        log.steps = 100;
         let mut world = World::new(lived_at_first(), &Folder(root())).expect("valid");
-        Log { steps: 100, ..log }.replay(&mut world, &Folder(root()), &mut |_| ()).map(|()| world.hash()).ok()
+        log.replay(&mut world, &Folder(root()), &mut |_| ()).map(|()| world.hash()).ok()
     };
-    let less = Log { inputs: inputs.inputs[1..].to_vec(), ..inputs.clone() };
+    let mut less = inputs.clone();
+    less.inputs.remove(0);
     assert_ne!(first(less), first(inputs), "control: one input less");
 }
