@@ -92,9 +92,9 @@ const REPLAYED: u64 = if cfg!(debug_assertions) { 400 } else { 10_000 };
 
 /// A small world of which each response of grass has a stand.
 fn lived_at_first() -> Scene {
-    let text = "(version: 1, field: (patch_side: 8, patches: (3, 3)), camera: (eye: (3, 2, 1), target: (3, 0.5, 4)),
-        budget: (patches: 9, focus_distance: 3),
-        stands: [(species: Meadow, cells: 16), (species: Tussock, cells: 16, cover: 0.5, response: Oscillator()),
+    let text = "(version: 1, field: (patch_side: 8, patches: (2, 2)), camera: (eye: (3, 2, 1), target: (3, 0.5, 4)),
+        budget: (patches: 9, focus_distance: 1),
+        stands: [(species: Meadow, cells: 8), (species: Tussock, cells: 8, response: Oscillator()),
                  (species: Meadow, name: \"sheets\", cells: 8, cover: 0.3, response: Springs()),
                  (species: Reed, cells: 8, cover: 0.1, response: VirtualInertia(), representation: Blade(blades: 2))],
         wind: [Natural(velocity: (2, 1))])";
@@ -135,24 +135,21 @@ fn meddled() -> (World, Log) {
     (world, log)
 }
 
-/// Ten thousand steps of a recorded run, replayed from its text: the same on one thread and on many, to the bit; what bodies feel and events, too.
+/// Ten thousand steps of a recorded run, lived on four threads and replayed from its text on one: the same to the bit; what bodies feel and events, too.
 #[test]
 fn a_recorded_run_is_the_same_for_ever() {
-    let (mut lived, log) = meddled();
+    let on = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+    let (mut lived, log) = on(4).install(meddled);
     let inputs = Log::parse(&log.to_ron()).expect("a log");
     assert!(inputs.inputs.len() > REPLAYED as usize / 50, "control: hosts did something");
-    let events = lived.take_events();
-    for threads in [1, 4] {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        let mut again = pool.install(|| {
-            let mut world = World::new(lived_at_first(), &Folder(root())).expect("valid");
-            inputs.replay(&mut world, &Folder(root()), &mut |_| ()).expect("replayed");
-            world
-        });
-        assert_eq!(again.hash(), lived.hash(), "{threads} threads");
-        assert!(again.save() == lived.save(), "{threads} threads: other bytes");
-        assert_eq!(again.take_events(), events, "{threads} threads");
-    }
+    let mut again = on(1).install(|| {
+        let mut world = World::new(lived_at_first(), &Folder(root())).expect("valid");
+        inputs.replay(&mut world, &Folder(root()), &mut |_| ()).expect("replayed");
+        world
+    });
+    assert_eq!(again.hash(), lived.hash());
+    assert!(again.save() == lived.save(), "other bytes");
+    assert_eq!(again.take_events(), lived.take_events());
     // Control: a hundred steps, and one input less.
     let first = |mut log: Log| {
         log.steps = 100;
