@@ -177,12 +177,12 @@ fn contact_of_step(world: &mut World) -> [f64; 2] {
     let begun = Instant::now();
     let plan = world.plan();
     let (mut contact, mut last) = (0.0, Instant::now());
-    let summaries = world.respond_in_stages(&plan, &mut |stage| {
+    let reports = world.respond_in_stages(&plan, &mut |stage| {
         if stage == Stage::Contact {
             contact += last.elapsed().as_secs_f64();
         }
         last = Instant::now();
     });
-    world.finish(summaries);
+    world.finish(reports);
     [contact, begun.elapsed().as_secs_f64()]
 }

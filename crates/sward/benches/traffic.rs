@@ -65,6 +65,7 @@ impl Field {
             edges: Vec::new(),
             pairs: Vec::new(),
             solids: Solids::default(),
+            touchers: Vec::new(),
             sheets: Default::default(),
             rebase: false,
         };

@@ -12,8 +12,10 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     // What came while it ran is saved, too.
     world.add_body(Interactor::default(), &NoAssets)?;
     world.edit(&Edit { at: [3.0, 3.0], change: Change::Burn, ..Edit::default() })?;
+    // ANCHOR: save
     let bytes = world.save_world();
     let mut loaded = World::load(&bytes, &NoAssets)?;
+    // ANCHOR_END: save
     (0..60).for_each(|_| world.step());
     (0..60).for_each(|_| loaded.step());
     println!("{} kB; a second later {:016x} and {:016x}", bytes.len() / 1000, world.hash(), loaded.hash());

@@ -198,6 +198,7 @@ fn stand_model(around: &Around<'_>, index: usize, species: SpeciesModel, growth:
         spacing,
         coefficients,
         substeps,
+        inertia: species.mass / (3.0 * plant_height),
         placement: placement_of(scene, index, &species),
         species,
     })
@@ -235,6 +236,10 @@ fn layered_stands(scene: &Scene, sources: &[Blowing], limits: &[Named], assets: 
             layered,
             specimen,
             places: stand.places.clone(),
+            leaves: {
+                let height = 0.5 * (species.height[0] + species.height[1]);
+                species.mass / (height * height * height)
+            },
             placement: placement_of(scene, index, &species),
             growth: Growth { limits: named(limits, &species.name), slopes: stand.slope, ..Growth::default() },
             patch_side: f64::from(scene.field.patch_side),

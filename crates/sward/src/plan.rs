@@ -5,9 +5,10 @@ mod layered;
 use std::ops::Range;
 
 use crate::interaction::distance_map::DistanceMapHead;
+use crate::interaction::reaction::Sums;
 use crate::interaction::solid::Solids;
-use crate::interaction::{Contact, ContactEdge, Footprint};
-use crate::state::{Awake, NONE, PatchKey, StandState, TILE};
+use crate::interaction::{Contact, ContactEdge, Footprint, Pose};
+use crate::state::{Awake, NONE, PatchKey, StandState, Summary, TILE};
 use crate::wind::WindField;
 use crate::wind::fluid::FluidPlan;
 pub use layered::{Brush, LayeredPlan, TouchPlan};
@@ -44,11 +45,47 @@ pub struct StandPlan {
     pub pairs: Vec<ContactPair>,
     /// Bodies as solids, patch by patch; of stands that move blade by blade.
     pub solids: Solids,
+    /// Who feels what plants do: one for each of `contacts`, of `solids.heads` or of `sheets.heads`.
+    pub touchers: Vec<Toucher>,
     /// Billboards with a sheet of their own.
     pub sheets: SheetPlan,
     /// Plants that swing by themselves did so by other numbers till now (`OscillatorModel::former`): before anything else their motions become those of
     /// the new ones.
     pub rebase: bool,
+}
+
+/// A body, and the point of it about which moments are counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Toucher {
+    /// Index of the body.
+    pub body: u32,
+    /// From the body's base to that point, m.
+    pub arm: [f32; 3],
+}
+
+impl Toucher {
+    /// A point `at` (x, y, z) \[m\] of a body with such a pose.
+    pub fn new(body: u32, pose: Option<&Pose>, at: [f64; 3]) -> Self {
+        let base = pose.map_or(at, |pose| [pose.ground[0], pose.height, pose.ground[1]]);
+        Self { body, arm: [0, 1, 2].map(|axis| (at[axis] - base[axis]) as f32) }
+    }
+}
+
+/// What a backend reports of one stand after a step.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// What activation wants to know of each awake patch, in key order.
+    pub summaries: Vec<(PatchKey, Summary)>,
+    /// What bodies feel of its plants: for each of [`StandPlan::touchers`].
+    pub felt: Vec<(Toucher, Sums)>,
+}
+
+impl Report {
+    /// Of a stand that did what `touchers` felt.
+    pub fn new(summaries: Vec<(PatchKey, Summary)>, touchers: &[Toucher], sums: Vec<Sums>) -> Self {
+        let felt = touchers.iter().copied().zip(sums).filter(|(_, sums)| *sums != Sums::default());
+        Self { summaries, felt: felt.collect() }
+    }
 }
 
 /// What a step does to deformed billboards.

@@ -15,7 +15,9 @@ use crate::growth::{Growth, Tended};
 use crate::response::springs::pool;
 use crate::response::{StandModel, chain};
 use crate::scene::{self, Response, Scene, Stand, WindSource};
-use crate::state::{Awake, BodyState, Counters, LayeredState, NONE, PatchKey, Regrowth, Sheets, State, Summary, Tuning, WindState};
+use crate::state::{
+    Among, Awake, BodyState, Counters, LayeredState, NONE, PatchKey, Reaction, Regrowth, Sheets, State, Summary, Tuning, WindState,
+};
 use crate::terrain::Edits;
 use crate::wind::fluid::{FASTEST, FluidState};
 pub use whole::LoadError;
@@ -23,7 +25,7 @@ pub use whole::LoadError;
 use crate::world::World;
 
 /// What [`World::save`] writes and [`World::restore`] reads.
-pub const VERSION: u32 = 6;
+pub const VERSION: u32 = 7;
 const MAGIC: &[u8; 10] = b"SWARDSTATE";
 /// Far beyond any bend \[rad\] or velocity \[rad/s\] that the limits leave, and small enough that a step stays finite.
 const FARTHEST: f32 = 1e4;
@@ -57,6 +59,8 @@ pub enum SavedError {
 struct Saved {
     step: u64,
     bodies: Vec<BodyState>,
+    reactions: Vec<Reaction>,
+    among: Vec<((u32, u32), Among)>,
     focuses: Vec<[f64; 2]>,
     pinned: Vec<[f64; 2]>,
     pending_seconds: f64,
@@ -138,6 +142,8 @@ impl World {
         let saved = Saved {
             step: state.step,
             bodies: state.bodies.clone(),
+            reactions: state.reactions.clone(),
+            among: state.among.iter().map(|(pair, among)| (*pair, *among)).collect(),
             focuses: state.focuses.clone(),
             pinned: state.pinned.clone(),
             pending_seconds: state.pending_seconds,
@@ -190,7 +196,7 @@ impl World {
         // Nothing of this world is touched before all has proved sound.
         let (scene, model, state) = (self.scene.clone(), self.model.clone(), State::default());
         let texels = Arc::clone(&model.maps.texels);
-        let mut next = Self { scene, model, state, lanes: self.lanes, viewed: self.viewed, texels, log: None };
+        let mut next = Self { scene, model, state, lanes: self.lanes, viewed: self.viewed, texels, events: Default::default(), log: None };
         next.take_saved(saved)?;
         next.log = self.log.take();
         *self = next;
@@ -242,6 +248,8 @@ impl World {
             regrowing: saved.regrowing,
             step: saved.step,
             bodies: saved.bodies,
+            reactions: saved.reactions,
+            among: saved.among.into_iter().collect(),
             focuses: saved.focuses,
             pinned: saved.pinned,
             pending_seconds: saved.pending_seconds,
@@ -431,6 +439,9 @@ fn state_is_sound(state: &State) -> bool {
     numbers.extend(state.bodies.iter().flat_map(|body| body.clock));
     numbers.extend(state.focuses.iter().chain(&state.pinned).flatten());
     numbers.push(state.pending_seconds);
+    let felt = state.reactions.iter().flat_map(|felt| felt.force.into_iter().chain(felt.torque).chain([felt.power]));
+    numbers.extend(felt.map(|value| 1e-6 * value));
+    numbers.extend(state.among.values().map(|among| 1e-6 * among.energy));
     // A step number below 2⁵³ is exact as a time.
     let counted = state.step < 1 << 53 && (state.step..=state.step + 1).contains(&state.edited_steps);
     numbers.iter().all(near) && state.pending_seconds >= 0.0 && counted

@@ -1,6 +1,7 @@
 //! All that a step changes. Types only; every stage may read what the previous step left.
 
 mod layers;
+mod reactions;
 mod sheets;
 
 use std::borrow::Cow;
@@ -13,6 +14,7 @@ use crate::scene::Response;
 use crate::wind::fluid::FluidState;
 
 pub use layers::{Cut, Cuts, LayeredPlant, LayeredState, PlantKey, Waves};
+pub use reactions::{Among, Event, Happening, Reaction};
 pub use sheets::{Billboard, SheetPool, Sheets};
 
 /// No slot.
@@ -36,6 +38,10 @@ pub struct State {
     pub step: u64,
     /// One entry per interactor of the scene, in its order.
     pub bodies: Vec<BodyState>,
+    /// What plants did to each body in the step that was last heard of.
+    pub reactions: Vec<Reaction>,
+    /// Bodies that are among plants, with the number of the stand in the scene.
+    pub among: BTreeMap<(u32, u32), Among>,
     /// One entry per stand, in the scene's order.
     pub stands: Vec<StandState>,
     /// One entry per stand of meshes, in the scene's order.
@@ -126,6 +132,16 @@ pub struct BodyState {
     pub driven: Option<([f64; 2], f64, f64)>,
     /// It has been put somewhere else: the next step sweeps nothing of it.
     pub jumps: bool,
+}
+
+impl BodyState {
+    /// Where it has gone in the last step, m (x, z).
+    pub fn way(&self) -> [f64; 2] {
+        match (&self.before, &self.pose) {
+            (Some(before), Some(pose)) => [0, 1].map(|axis: usize| pose.ground[axis] - before.ground[axis]),
+            _ => [0.0; 2],
+        }
+    }
 }
 
 /// A stand whose response glides from some numbers to those of the scene.

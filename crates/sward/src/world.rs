@@ -6,10 +6,11 @@ mod bodies;
 mod inputs;
 mod kept;
 mod layered;
+mod reactions;
 mod rescene;
 mod sheets;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
 use crate::activation::{BAND, Circumstances, Sharing, activate, keep};
@@ -17,10 +18,10 @@ use crate::interaction::solid::{Solids, WorldSolid};
 use crate::interaction::{Contact, Footprint, Pose};
 use crate::lanes::Lanes;
 use crate::model::{Assets, Model, StandModel, rebased};
-use crate::plan::{ContactPair, PatchPlan, Plan, SheetPlan, StandPlan, around, patches_under, weights};
+use crate::plan::{ContactPair, PatchPlan, Plan, Report, SheetPlan, StandPlan, Toucher, around, patches_under, weights};
 use crate::response::{Stage, chain, continuum, harmonic, oscillator, springs};
 use crate::scene::{Beyond, Edit, Path, Scene, SceneError, Trail, Value};
-use crate::state::{BodyState, NONE, PatchKey, SheetPool, Sheets, StandState, State, Summary, TILE, WindState};
+use crate::state::{BodyState, Event, NONE, PatchKey, SheetPool, Sheets, StandState, State, TILE, WindState};
 use crate::terrain::TerrainError;
 use crate::view::View;
 use crate::wind::fluid::FluidState;
@@ -59,6 +60,8 @@ pub struct World {
     pub viewed: Option<View>,
     /// What bodies look like from six sides, on the CPU: [`crate::model::BodyMaps::texels`] as of the last step.
     pub texels: Arc<Vec<[f32; 4]>>,
+    /// What has happened that no host has asked for yet: see [`World::take_events`]. Not part of a saved state.
+    pub(crate) events: VecDeque<Event>,
     /// What hosts have done to the world since [`World::record`]; `None` records nothing.
     pub log: Option<Log>,
 }
@@ -77,7 +80,7 @@ impl World {
         let (bodies, winds) = (vec![BodyState::default(); scene.interactors.len()], WindState::all(&scene));
         let state = State { bodies, winds, fluids, ..State::default() };
         let texels = Arc::clone(&model.maps.texels);
-        let mut world = Self { scene, model, state, lanes: Lanes::default(), viewed: None, texels, log: None };
+        let mut world = Self { scene, model, state, lanes: Lanes::default(), viewed: None, texels, events: VecDeque::new(), log: None };
         world.apply_edits(f64::NEG_INFINITY, 0.0);
         world.state.stands = world.model.stands.iter().map(|stand| world.empty_stand(stand)).collect();
         for index in 0..world.state.bodies.len() {
@@ -144,6 +147,11 @@ impl World {
         View::of(scene, &self.model, pose, self.time() - behind * self.model.dt)
     }
 
+    /// Where a body is at the end of the step being planned.
+    fn pose_of(&self, body: u32) -> Option<&Pose> {
+        self.state.bodies.get(body as usize).and_then(|state| state.pose.as_ref().or(state.before.as_ref()))
+    }
+
     /// Where a body is `behind` steps (0 to 1) before the state; `None` while it is away.
     pub fn pose_before(&self, body: usize, behind: f64) -> Option<Pose> {
         let state = self.state.bodies.get(body)?;
@@ -154,8 +162,8 @@ impl World {
     /// One fixed step on the CPU.
     pub fn step(&mut self) {
         let plan = self.plan();
-        let summaries = self.respond(&plan);
-        self.finish(summaries);
+        let reports = self.respond(&plan);
+        self.finish(reports);
     }
 
     /// Runs the whole steps that `seconds` of wall time hold, at most `budget.catch_up`; drops and counts the rest. Returns the steps run.
@@ -205,52 +213,52 @@ impl World {
     }
 
     /// The response of every stand on the CPU, between [`World::plan`] and [`World::finish`].
-    pub fn respond(&mut self, plan: &Plan) -> Vec<Vec<(PatchKey, Summary)>> {
+    pub fn respond(&mut self, plan: &Plan) -> Vec<Report> {
         self.respond_in_stages(plan, &mut |_| ())
     }
 
     /// As [`World::respond`]; `ended` hears of each stage that has just ended, for callers with a clock.
-    pub fn respond_in_stages(&mut self, plan: &Plan, ended: &mut dyn FnMut(Stage)) -> Vec<Vec<(PatchKey, Summary)>> {
+    pub fn respond_in_stages(&mut self, plan: &Plan, ended: &mut dyn FnMut(Stage)) -> Vec<Report> {
         self.draw_maps(&plan.maps);
-        let (texels, mut summaries) = (Arc::clone(&self.texels), Vec::new());
+        let (texels, mut reports) = (Arc::clone(&self.texels), Vec::new());
         for ((stand, plan_of), state) in self.model.stands.iter().zip(&plan.stands).zip(&mut self.state.stands) {
             let (terrain, cells) = (&self.model.terrain, &mut state.cells);
-            if let Some(chain) = &stand.chain {
-                summaries.push(chain::step_stand(terrain, stand, chain, plan_of, cells, self.model.dt as f32, ended));
-                continue;
-            }
-            if let Some(springs) = &stand.springs {
-                summaries.push(springs::step_stand(terrain, stand, springs, plan_of, &texels, cells, ended));
-                continue;
-            }
-            if let Some(oscillator) = &stand.oscillator {
-                summaries.push(oscillator::step_stand(terrain, stand, oscillator, plan_of, cells, plan.step, ended));
-                continue;
-            }
-            summaries.push(continuum::step(terrain, stand, plan_of, cells, self.lanes, ended));
-            continuum::lags(stand, plan_of, cells, plan.step, self.lanes);
-            ended(Stage::Lags);
+            let (summaries, sums) = if let Some(chain) = &stand.chain {
+                chain::step_stand(terrain, stand, chain, plan_of, cells, self.model.dt as f32, ended)
+            } else if let Some(springs) = &stand.springs {
+                springs::step_stand(terrain, stand, springs, plan_of, &texels, cells, ended)
+            } else if let Some(oscillator) = &stand.oscillator {
+                oscillator::step_stand(terrain, stand, oscillator, plan_of, cells, plan.step, ended)
+            } else {
+                let found = continuum::step(terrain, stand, plan_of, cells, self.lanes, ended);
+                continuum::lags(stand, plan_of, cells, plan.step, self.lanes);
+                ended(Stage::Lags);
+                found
+            };
+            reports.push(Report::new(summaries, &plan_of.touchers, sums));
         }
-        for ((stand, plan_of), state) in self.model.layered.iter().zip(&plan.layered).zip(&mut self.state.layered) {
-            harmonic::step_layered(&stand.harmonic, plan_of, state, plan.step);
+        for (index, plan_of) in plan.layered.iter().enumerate() {
+            let sums = harmonic::step_layered(&self.model.layered[index].harmonic, plan_of, &mut self.state.layered[index], plan.step);
+            reports.push(self.report_layered(index, &plan_of.touchers, sums));
             ended(Stage::Layers);
         }
         self.flow(&plan.fluids, ended);
-        summaries
+        reports
     }
 
-    /// Ends a step and files what each stand's patches reported.
-    pub fn finish(&mut self, summaries: Vec<Vec<(PatchKey, Summary)>>) {
+    /// Ends a step and files what each stand reported: those of grass, then those of meshes.
+    pub fn finish(&mut self, reports: Vec<Report>) {
         let step = self.state.step;
-        self.file(step, summaries);
+        self.file(step, reports);
         self.end_step();
     }
 
-    /// Files the summaries of step number `step`. A backend that learns them late may file them up to
+    /// Files the reports of step number `step`: what activation reads two steps later, and what bodies feel. A backend that learns them late may file them up to
     /// [`crate::activation::LATENCY`] steps after; steps in order.
-    pub fn file(&mut self, step: u64, summaries: Vec<Vec<(PatchKey, Summary)>>) {
-        for (stand, summary) in self.state.stands.iter_mut().zip(summaries) {
-            stand.summaries.push_back((step, summary));
+    pub fn file(&mut self, step: u64, reports: Vec<Report>) {
+        self.feel(step, &reports);
+        for (stand, report) in self.state.stands.iter_mut().zip(reports) {
+            stand.summaries.push_back((step, report.summaries));
         }
     }
 
@@ -410,6 +418,7 @@ impl World {
             edges: Vec::new(),
             pairs: Vec::new(),
             solids: Solids::default(),
+            touchers: Vec::new(),
             sheets: SheetPlan::default(),
             rebase: false,
         };
@@ -418,6 +427,9 @@ impl World {
             let contact = plan.contacts.len() as u32;
             plan.contacts.push(Contact { edge_first: plan.edges.len() as u32, ..footprint.contact });
             plan.edges.extend(&footprint.edges);
+            let [x, z] = [0, 1].map(|axis| footprint.corner[axis] as f64 * stand.spacing + f64::from(footprint.contact.centre[axis]));
+            let at = [x, f64::from(footprint.contact.end[2]), z];
+            plan.touchers.push(Toucher::new(footprint.contact.body, self.pose_of(footprint.contact.body), at));
             for patch in patches_under(footprint, side, 0) {
                 let corner = [0, 1].map(|axis| (footprint.corner[axis] - i64::from(patch[axis]) * side) as i32);
                 reached.entry(patch).or_default().push(ContactPair { contact, corner });
@@ -436,7 +448,10 @@ impl World {
                 let corner = patch.map(|p| f64::from(p) * self.model.patch_side);
                 let length = f64::from(stand.species.height[1]);
                 let near = solids.iter().filter(|solid| patches_within(solid, length, self.model.patch_side).any(|key| key == *patch));
-                near.for_each(|solid| solid.add_to(&mut plan.solids, corner));
+                for solid in near {
+                    solid.add_to(&mut plan.solids, corner);
+                    plan.touchers.push(Toucher::new(solid.body(), self.pose_of(solid.body()), solid.middle()));
+                }
             }
             plan.patches.push(PatchPlan {
                 around: around(state, *patch, |awake| awake.slot),

@@ -28,7 +28,7 @@ fn bench_counts_the_same_work_every_time_and_times_every_stage() {
     let stages = first["stages"].as_array().expect("a list");
     let samples: Vec<(&str, u64)> =
         stages.iter().map(|row| (row["stage"].as_str().expect("a name"), row["samples"].as_u64().expect("a count"))).collect();
-    let named = ["plan: bodies, wind, activation", "rest", "contact", "wave", "upper segments", "file summaries"].map(|name| (name, 12));
+    let named = ["plan: bodies, wind, activation", "rest", "contact", "wave", "upper segments", "file reports"].map(|name| (name, 12));
     let expected: Vec<(&str, u64)> = named.into_iter().chain([("picture", 5)]).collect();
     assert_eq!(samples, expected);
     assert!(stages.iter().all(|row| number(&row["p50_ms"]) > 0.0 && number(&row["p95_ms"]) >= number(&row["p50_ms"])));

@@ -20,9 +20,8 @@ fn read(name: &str) -> String {
 }
 
 fn documents() -> Vec<Document> {
-    ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "docs/cli.md", "docs/projection.md", "docs/window.md"]
-        .map(|name| (name.to_owned(), read(name)))
-        .into()
+    let reference = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "docs/cli.md", "docs/projection.md", "docs/window.md"];
+    reference.map(|name| (name.to_owned(), read(name))).into_iter().chain(document::guide::chapters()).collect()
 }
 
 /// All problems at once, so that one run shows them all.

@@ -306,8 +306,8 @@ impl Stage {
         }
         let plan = self.world.plan();
         times.lap("plan", &mut before);
-        let summaries = self.world.respond_in_stages(&plan, &mut |stage| times.lap(timing::name(stage), &mut before));
-        self.world.finish(summaries);
+        let reports = self.world.respond_in_stages(&plan, &mut |stage| times.lap(timing::name(stage), &mut before));
+        self.world.finish(reports);
         times.lap("finish", &mut before);
         Ok(())
     }

@@ -8,6 +8,7 @@
 //! new [`Gpu`] with new `GpuStep` and `Studio`.
 
 mod memory;
+mod programs;
 mod reports;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -15,6 +16,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 pub(crate) use memory::Mapping;
+pub(crate) use programs::Program;
 use reports::Reports;
 
 /// A device that takes longer for what it was given is taken for lost.
@@ -29,6 +31,7 @@ pub struct Gpu {
     /// Name, kind and driver of the adapter.
     pub adapter_info: wgpu::AdapterInfo,
     reports: Arc<Mutex<Reports>>,
+    programs: programs::Programs,
 }
 
 /// Why there is no usable device.
@@ -186,7 +189,7 @@ impl Gpu {
         let (errors, losses) = (Arc::clone(&reports), Arc::clone(&reports));
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| open(&errors).add(&error)));
         device.set_device_lost_callback(move |reason, message| open(&losses).lose(reason, &message));
-        Self { device, queue, adapter_info, reports }
+        Self { device, queue, adapter_info, reports, programs: programs::Programs::default() }
     }
 
     /// Takes the messages collected since the last call; empty when all went well.

@@ -1,7 +1,10 @@
-//! Pictures drawn on the CPU by `sward_raster` against the GPU's.
+//! Pictures drawn on the CPU by `sward_raster` against the GPU's; and the example that draws, which the guide shows.
 
 #[path = "support/adapter.rs"]
 mod adapter;
+#[path = "../examples/draw.rs"]
+#[allow(dead_code, clippy::print_stdout)]
+mod draw;
 #[path = "support/rastered.rs"]
 mod rastered;
 
@@ -23,6 +26,7 @@ fn main() -> std::process::ExitCode {
         ("combed", rastered::combed),
         ("surroundings", rastered::surroundings),
         ("layers", rastered::layers),
+        ("the_example_draws", |gpu| draw::run(gpu).map_err(|error| error.to_string().into())),
     ];
     adapter::run(tests, |_, _| None)
 }

@@ -35,6 +35,8 @@ mod lit;
 mod maths;
 #[path = "support/prepared.rs"]
 mod prepared;
+#[path = "support/reactions.rs"]
+mod reactions;
 #[path = "support/runs.rs"]
 mod runs;
 #[path = "support/scenes.rs"]
@@ -125,6 +127,7 @@ fn main() -> std::process::ExitCode {
         ("road_and_rising_ground", scenes::road_and_rising_ground),
         ("level_ground_is_raised", scenes::level_ground_is_raised),
         ("inputs_followed", inputs::followed),
+        ("reactions_of_meshes", reactions::of_meshes),
         ("questions_answered", asked::answers),
         ("truck_on_hills", scenes::truck_on_hills),
         ("lawn_and_sphere", scenes::lawn_and_sphere),

@@ -227,6 +227,7 @@ fn plan(model: &Model, stand: &StandModel) -> StandPlan {
         edges: Vec::new(),
         pairs: Vec::new(),
         solids: Solids::default(),
+        touchers: Vec::new(),
         sheets: SheetPlan::default(),
     }
 }

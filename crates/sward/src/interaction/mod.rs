@@ -9,6 +9,7 @@ pub mod distance_map;
 mod figure;
 mod motion;
 mod piece;
+pub mod reaction;
 pub mod skin;
 pub mod solid;
 

@@ -150,6 +150,11 @@ impl WorldSolid {
         [self.low, self.high]
     }
 
+    /// The middle of the box around it, m.
+    pub fn middle(&self) -> [f64; 3] {
+        [0, 1, 2].map(|axis: usize| 0.5 * (self.low[axis] + self.high[axis]))
+    }
+
     /// Number of its body.
     pub fn body(&self) -> u32 {
         self.body

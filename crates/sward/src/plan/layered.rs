@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::Toucher;
 use crate::wind::WindField;
 
 /// What a step does to a stand of meshes.
@@ -13,6 +14,8 @@ pub struct LayeredPlan {
     pub touched: Vec<TouchPlan>,
     /// Bodies on their planes.
     pub brushes: Vec<Brush>,
+    /// Who feels what each of them does.
+    pub touchers: Vec<Toucher>,
 }
 
 /// A touched plant in a step.
@@ -26,6 +29,8 @@ pub struct TouchPlan {
     pub wind: [f32; 2],
     /// Its bodies in [`LayeredPlan::brushes`].
     pub brushes: Range<u32>,
+    /// Mass of the leaves of a cell of its plane, kg.
+    pub cell_mass: f32,
 }
 
 /// A body on a plant's plane, in one step. The same bytes in WGSL.

@@ -31,6 +31,8 @@ pub struct StandModel {
     pub substeps: u32,
     /// Kernel numbers of the upper segments.
     pub lag: LagCoefficients,
+    /// ⅓ of the mass of a plant over its height, kg/m: times its height³ it is its moment of inertia about the root.
+    pub inertia: f32,
     /// Where plants stand.
     pub placement: PlacementParameters,
     /// Where it grows less, or not at all.
@@ -49,6 +51,12 @@ impl StandModel {
     /// The growth map of a patch: see [`Growth::map`].
     pub fn growth_map(&self, terrain: &Terrain, patch: PatchKey) -> Option<Box<[Growing]>> {
         self.growth.map(&self.placement, terrain, patch, self.patch_side)
+    }
+
+    /// Moment of inertia about its root of what stands in a cell on average \[kg·m²\].
+    pub fn cell_inertia(&self) -> f32 {
+        let height = self.coefficients.plant_height;
+        self.placement.cover * self.inertia * height * height * height
     }
 
     /// Whether wind moves it at all.

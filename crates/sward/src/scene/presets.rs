@@ -37,6 +37,8 @@ pub struct SpeciesModel {
     pub layered: Option<Layered>,
     /// Cells along a patch side.
     pub cells: u32,
+    /// Mass of a plant of mean height, kg.
+    pub mass: f32,
 }
 
 /// How meshes sway, and how they are drawn.
@@ -136,6 +138,7 @@ impl Stand {
             sheet,
             layered: self.layered(trail)?,
             cells: self.cells(),
+            mass: self.mass.map_or_else(|| self.species.mass(), |grams| 1e-3 * grams),
         })
     }
 
@@ -221,6 +224,18 @@ impl Species {
             _ => (Form::Bush, 20000, [2.0, 1.2, 0.8], 1.0),
         };
         Layers { mesh: PlantMesh::Grown(Grown { form, triangles, ..Grown::default() }), scale, rigidity, ..Layers::default() }
+    }
+
+    /// Mass of a plant of mean height, kg: of all its blades, or of the leaves and twigs of a mesh.
+    #[must_use]
+    pub fn mass(&self) -> f32 {
+        let [low, high] = self.height();
+        match self {
+            Self::Shrub => 3.0,
+            Self::Tree => 40.0,
+            Self::WaterPlant => 0.03,
+            _ => self.blade().blades as f32 * self.chain().mass * 0.5 * (low + high),
+        }
     }
 
     /// How the species moves. Plants in a stand damp each other, so the ratios are higher than for a single blade.

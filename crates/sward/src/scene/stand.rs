@@ -88,6 +88,8 @@ parameters! {
         messiness: f32 = 0.0, "" in 0.0..=1.0;
         /// Least and greatest plant height. Without it the species' own.
         height: Option<[f32; 2]> = None, "m" in 0.01..=50.0;
+        /// Mass of a plant of mean height, by which it pushes back at bodies. Without it the species' own. Blades that move one by one have masses of their own.
+        mass: Option<f32> = None, "g" in 0.001..=1e6;
         /// Least and greatest steepness of the ground on which it grows, rise over run: 1 is 45 degrees. Without it anywhere.
         slope: Option<[f32; 2]> = None, "" in 0.0..=100.0;
         /// How the plants move, where it differs from the species.

@@ -9,10 +9,11 @@ use glam::{DVec3, Vec3};
 use super::{World, blown_patches};
 use crate::geometry::layers::{Extent, Eye};
 use crate::interaction::Piece;
+use crate::interaction::reaction::Sums;
 use crate::interaction::solid::WorldSolid;
 use crate::math::clamped;
 use crate::placement::{Growing, grown, plant};
-use crate::plan::{Brush, LayeredPlan, TouchPlan};
+use crate::plan::{Brush, LayeredPlan, Report, TouchPlan, Toucher};
 use crate::response::harmonic::{LayeredStand, TOUCH_SIDE, Waves, air, drifted};
 use crate::state::{Cuts, LayeredPlant, LayeredState, PatchKey, PlantKey, SheetPool, in_field};
 use crate::view::View;
@@ -133,18 +134,44 @@ impl World {
         let reached = self.reached(index, solids);
         let fresh = self.share_planes(index, &reached);
         let (stand, state) = (&self.model.layered[index], &self.state.layered[index]);
-        let mut plan = LayeredPlan { wind: self.plane_wind(stand), touched: Vec::new(), brushes: Vec::new() };
+        let mut plan = LayeredPlan { wind: self.plane_wind(stand), touched: Vec::new(), brushes: Vec::new(), touchers: Vec::new() };
         let nothing = Reached::default();
         for (key, slot) in state.pool.taken() {
             let reached = reached.get(&key).unwrap_or(&nothing);
             let first = plan.brushes.len() as u32;
+            let mut cell_mass = 0.0;
             if let Some(plant) = state.plant(key) {
-                plan.brushes.extend(reached.solids.iter().map(|solid| self.brush(stand, plant, &solids[*solid])));
+                for solid in reached.solids.iter().map(|solid| &solids[*solid]) {
+                    let pose = self.state.bodies[solid.body() as usize].pose.as_ref();
+                    plan.brushes.push(self.brush(stand, plant, solid));
+                    plan.touchers.push(Toucher::new(solid.body(), pose, solid.middle()));
+                }
+                cell_mass = stand.cell_mass(plant);
             }
             let brushes = first..plan.brushes.len() as u32;
-            plan.touched.push(TouchPlan { slot, fresh: fresh.contains(&key), wind: reached.wind, brushes });
+            plan.touched.push(TouchPlan { slot, fresh: fresh.contains(&key), wind: reached.wind, brushes, cell_mass });
         }
         plan
+    }
+
+    /// What bodies felt of plants that are meshes: forces on their plane become those of the world.
+    pub fn report_layered(&self, index: usize, touchers: &[Toucher], sums: Vec<Sums>) -> Report {
+        let axes = &self.model.layered[index].harmonic.axes;
+        let turned = touchers.iter().zip(sums).map(|(toucher, sums)| {
+            let way = self.state.bodies.get(toucher.body as usize).map_or([0.0; 2], |body| body.way());
+            let against = if way[0] * f64::from(axes.forward[0]) + way[1] * f64::from(axes.forward[2]) > 0.0 { -1.0 } else { 1.0 };
+            let [right, up, through] = [0, 1, 2].map(|word: usize| sums.0[word] as f64);
+            let mut world = Sums::default();
+            for axis in 0..3 {
+                let along = |way: &[f32; 3]| f64::from(way[axis]);
+                let force = right * along(&axes.right) + up * along(&axes.up) + against * through * along(&axes.forward);
+                world.0[axis] = force.round() as i64;
+            }
+            // A plant is one, however many of its cells a body holds.
+            world.0[7] = i64::from(sums.0[7] > 0);
+            (*toucher, world)
+        });
+        Report { summaries: Vec::new(), felt: turned.filter(|(_, sums)| *sums != Sums::default()).collect() }
     }
 
     /// What comes near which plants.

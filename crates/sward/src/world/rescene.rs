@@ -4,6 +4,7 @@
 
 mod plants;
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::kept::{Fate, Kept};
@@ -14,6 +15,7 @@ use crate::scene::{Interactor, Scene, SceneError};
 use crate::state::{BodyState, State, WindState};
 use crate::terrain::Edits;
 use crate::wind::fluid::FluidState;
+use plants::same_stands;
 
 /// What concerns everything that has a place or a time.
 #[derive(Clone, Copy)]
@@ -65,13 +67,23 @@ impl World {
                 || scene.budget.beyond != self.scene.budget.beyond,
             ground: false,
         };
-        let mut next = Self { scene, model, state: State::default(), lanes: self.lanes, viewed: self.viewed, texels, log: self.log.take() };
+        let mut next = Self {
+            scene,
+            model,
+            state: State::default(),
+            lanes: self.lanes,
+            viewed: self.viewed,
+            texels,
+            events: VecDeque::new(),
+            log: self.log.take(),
+        };
         next.take_time(self, &mut old, changes);
         let ground = next.take_ground(self, &mut old, changes);
         changes.ground = !next.model.terrain.is_same(&self.model.terrain);
         let bodies = next.take_bodies(self, &old.bodies, changes);
         let fluids = next.take_fluids(self, &old.fluids, changes);
         let stands = next.take_plants(self, &mut old, changes);
+        next.take_reactions(self, &old, changes);
         *self = next;
         Ok(Kept { ground, bodies, stands, fluids })
     }
@@ -164,6 +176,25 @@ impl World {
             fates.push(Fate::unless(&[(known.is_none(), NEW), (changes.moved, MOVED)]));
         }
         fates
+    }
+
+    /// What bodies felt last, and among which plants they are: of those that go on.
+    fn take_reactions(&mut self, before: &Self, old: &State, changes: Changes) {
+        if changes.moved || changes.paced || old.reactions.is_empty() {
+            return;
+        }
+        let bodies = same_bodies(&before.scene.interactors, &self.scene.interactors);
+        let stands = same_stands(&before.scene.stands, &self.scene.stands);
+        let felt = |known: &Option<usize>| known.and_then(|known| old.reactions.get(known)).copied().unwrap_or_default();
+        self.state.reactions = bodies.iter().map(felt).collect();
+        for (body, known) in bodies.iter().enumerate() {
+            for (stand, was) in stands.iter().enumerate() {
+                let pair = known.zip(*was).map(|(body, stand)| (body as u32, stand as u32));
+                if let Some(among) = pair.and_then(|pair| old.among.get(&pair)) {
+                    self.state.among.insert((body as u32, stand as u32), *among);
+                }
+            }
+        }
     }
 
     /// Air flows on in planes of the same size.

@@ -11,7 +11,7 @@ use crate::interaction::distance_map::DistanceMapHead;
 use crate::interaction::solid::WorldSolid;
 use crate::math;
 use crate::placement::Growing;
-use crate::plan::{ActiveSheet, StandPlan};
+use crate::plan::{ActiveSheet, StandPlan, Toucher};
 use crate::response::continuum::NODE_CELLS;
 use crate::response::springs::{SpringsModel, moments, root_of, target_of};
 use crate::state::{Billboard, PatchKey, in_field};
@@ -221,6 +221,11 @@ impl World {
                     heading,
                 });
             }
+            let corner = patch.patch.map(|along| f64::from(along) * self.model.patch_side);
+            plan.touchers.extend(plan.sheets.heads[first as usize..].iter().map(|head| {
+                let [x, y, z, _] = head.centre.map(f64::from);
+                Toucher::new(head.body, self.pose_of(head.body), [corner[0] + x, y, corner[1] + z])
+            }));
         }
         let recovering = nodes[1].difference(&nodes[0]).count() as u32;
         plan.sheets.changed = given.changed.iter().copied().collect();

@@ -19,8 +19,8 @@ const SHAPES: &str = "(name: \"box\", shape: Box(size: (0.6, 0.5, 0.9)), clearan
 /// One step; how deep joints lie in bodies and in the ground after it, m.
 fn stepped(world: &mut World) -> [f32; 2] {
     let plan = world.plan();
-    let summaries = world.respond(&plan);
-    world.finish(summaries);
+    let reports = world.respond(&plan);
+    world.finish(reports);
     deepest(world, &plan)
 }
 
@@ -109,8 +109,8 @@ fn blades_that_nothing_pushes_stand_in_bodies() {
         let mut plan = world.plan();
         let solids = plan.stands[0].clone();
         plan.stands[0].patches.iter_mut().for_each(|patch| patch.solids = 0..0);
-        let summaries = world.respond(&plan);
-        world.finish(summaries);
+        let reports = world.respond(&plan);
+        world.finish(reports);
         plan.stands[0] = solids;
         deep = deep.max(deepest(&world, &plan)[0]);
     }

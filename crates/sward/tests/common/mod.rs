@@ -92,6 +92,7 @@ impl Torus {
             edges: Vec::new(),
             pairs: Vec::new(),
             solids: Solids::default(),
+            touchers: Vec::new(),
             sheets: Default::default(),
             rebase: false,
         };
@@ -113,7 +114,7 @@ impl Torus {
 
     /// One step.
     pub(crate) fn step(&mut self) -> Summary {
-        continuum::step(&self.model.terrain, &self.stand, &self.plan, &mut self.cells, Lanes::default(), &mut |_| ())[0].1
+        continuum::step(&self.model.terrain, &self.stand, &self.plan, &mut self.cells, Lanes::default(), &mut |_| ()).0[0].1
     }
 
     /// One plane of the present.

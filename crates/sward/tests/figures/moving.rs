@@ -165,9 +165,9 @@ fn feet_touch_one_after_another() {
 /// Speeds of the pieces that touch in the coming step: of the trunk, the left and the right leg.
 fn speeds(world: &mut World) -> Vec<f32> {
     let plan = world.plan();
-    let summaries = Vec::new();
+    let reports = Vec::new();
     let speeds = plan.stands[0].contacts.iter().map(|contact| contact.velocity[0].hypot(contact.velocity[1])).collect();
-    world.finish(summaries);
+    world.finish(reports);
     speeds
 }
 

@@ -180,7 +180,7 @@ fn what_holds_leaves_now_and_then_does_not_pump_them_up() {
         let mut waves = Waves::new(TOUCH_SIDE as usize);
         waves.now.fill([now, 0.0]);
         waves.old.fill([old, 0.0]);
-        step_touched(&mut waves, &co, [0.0; 2], if held { std::slice::from_ref(&brush) } else { &[] });
+        step_touched(&mut waves, &co, [0.0; 2], if held { std::slice::from_ref(&brush) } else { &[] }, (0.0, 1.0 / 60.0), &mut []);
         waves.now[(TOUCH_SIDE * TOUCH_SIDE / 2 + TOUCH_SIDE / 2) as usize][0]
     };
     // Control: V set at once, a share of the way.

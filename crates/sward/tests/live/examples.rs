@@ -19,6 +19,7 @@ examples! {
     focus, "../../examples/focus.rs";
     tuning, "../../examples/tuning.rs";
     growth, "../../examples/growth.rs";
+    feel, "../../examples/feel.rs";
     saving, "../../examples/saving.rs";
     replay, "../../examples/replay.rs";
     questions, "../../examples/questions.rs";

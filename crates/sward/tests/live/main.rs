@@ -7,6 +7,7 @@ mod ground;
 mod inputs;
 mod kept;
 mod matrix;
+mod reactions;
 mod shipped;
 
 use sward::model::NoAssets;

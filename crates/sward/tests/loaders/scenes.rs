@@ -44,6 +44,9 @@ fn texts() -> Vec<String> {
     texts
 }
 
+/// It has a clip that scenes name.
+const HELICOPTER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/helicopter.glb");
+
 fn files() -> Files {
     let terrain = whole(Tiff::new(9, 7).pixel(5.0, 5.0), &(0..63).collect::<Vec<_>>());
     Files(vec![
@@ -55,6 +58,8 @@ fn files() -> Files {
         ("whirl.png", terrains::directions()),
         ("grey.png", terrains::shades()),
         ("walker.glb", glb::walker().bytes()),
+        ("assets/clump.png", terrains::shades()),
+        ("assets/helicopter.glb", std::fs::read(HELICOPTER).expect("shipped")),
         ("assets/torus.glb", glb::walker().bytes()),
         ("assets/walker.glb", glb::walker().bytes()),
     ])

@@ -150,8 +150,8 @@ fn a_step_planned_again_edits_nothing_twice() {
             again.restore(&saved).unwrap();
         }
         let plan = again.plan();
-        let summaries = again.respond(&plan);
-        again.finish(summaries);
+        let reports = again.respond(&plan);
+        again.finish(reports);
         let ground = |world: &World| (world.state.step, world.model.terrain.edits().size(), world.model.terrain.edits().heights().to_vec());
         assert!(ground(&again) == ground(&once), "step {}", again.state.step);
         assert_eq!(height_under_cells(&again, [0, 0]), height_under_cells(&once, [0, 0]));

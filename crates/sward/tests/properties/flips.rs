@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::common::{halve, world};
 use sward::geometry::billboard::segment;
 use sward::interaction::contact_at;
-use sward::plan::StandPlan;
+use sward::plan::{Report, StandPlan};
 use sward::response::continuum;
 use sward::state::{NONE, PatchKey};
 use sward::world::World;
@@ -85,13 +85,13 @@ fn step(world: &mut World, halved: bool) -> BTreeMap<PatchKey, Vec<bool>> {
     let plan = world.plan();
     let (stand, plan_of) = (&world.model.stands[0], &plan.stands[0]);
     let cells = &mut world.state.stands[0].cells;
-    let summary = continuum::step(&world.model.terrain, stand, plan_of, cells, world.lanes, &mut |_| ());
+    let (summaries, _) = continuum::step(&world.model.terrain, stand, plan_of, cells, world.lanes, &mut |_| ());
     continuum::lags(stand, plan_of, cells, plan.step, world.lanes);
     let held = held(plan_of, stand.coefficients.plant_height);
     if halved {
         halve(world, &plan);
     }
-    world.finish(vec![summary]);
+    world.finish(vec![Report { summaries, felt: Vec::new() }]);
     held
 }
 

@@ -18,9 +18,9 @@ fn asleep(species: &str, wind: &str, rounding: Rounding) -> Option<u64> {
     world.model.stands[0].tolerance = continuum::REST;
     while world.state.step < 720 {
         let plan = world.plan();
-        let summaries = world.respond(&plan);
+        let reports = world.respond(&plan);
         rounding(&mut world, &plan);
-        world.finish(summaries);
+        world.finish(reports);
         let stand = &world.state.stands[0];
         if stand.counters.woken > 0 && stand.awake.is_empty() {
             return Some(world.state.step);

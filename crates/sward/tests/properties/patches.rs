@@ -48,6 +48,7 @@ impl Sheet {
             edges: Vec::new(),
             pairs: Vec::new(),
             solids: Solids::default(),
+            touchers: Vec::new(),
             sheets: Default::default(),
             rebase: false,
         };

@@ -7,8 +7,8 @@ use super::{meadow, model};
 fn planned(world: &mut sward::world::World) -> (usize, [u32; 2], usize) {
     let plan = world.plan();
     let found = (plan.stands[0].sheets.active.len(), plan.stands[0].sheets.nodes, plan.stands[0].sheets.heads.len());
-    let summaries = world.respond(&plan);
-    world.finish(summaries);
+    let reports = world.respond(&plan);
+    world.finish(reports);
     found
 }
 

@@ -29,8 +29,8 @@ fn walk(world: &mut World) -> (u32, u32, f32, f32) {
     let (mut frames, mut over, mut deepest, mut stretch): (u32, u32, f32, f32) = (0, 0, 0.0, 0.0);
     for _ in 0..180 {
         let plan = world.plan();
-        let summaries = world.respond(&plan);
-        world.finish(summaries);
+        let reports = world.respond(&plan);
+        world.finish(reports);
         let sheets = deformed(world);
         for (sheet, active) in sheets.iter().zip(&plan.stands[0].sheets.active) {
             let heads = &plan.stands[0].sheets.heads[active.heads.start as usize..active.heads.end as usize];

@@ -114,8 +114,8 @@ fn a_plant_let_go_costs_nothing_and_its_patch_sleeps_when_it_is_at_rest() {
     while !world.state.stands[0].awake.is_empty() {
         let plan = world.plan();
         assert!(Blocks::of(&plan.stands[0], 64).blocks.is_empty(), "nothing is visited");
-        let summaries = world.respond(&plan);
-        world.finish(summaries);
+        let reports = world.respond(&plan);
+        world.finish(reports);
         // No cell is written.
         let cells = world.state.stands[0].cells.now.clone();
         assert!(steps > settle + 100 || cells == world.state.stands[0].cells.now);

@@ -1,5 +1,8 @@
 //! What a Markdown text names.
 
+pub(crate) mod book;
+pub(crate) mod guide;
+
 /// Contents of the fenced blocks in a language.
 pub(crate) fn blocks(text: &str, language: &str) -> Vec<String> {
     let mut found = Vec::new();

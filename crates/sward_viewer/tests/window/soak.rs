@@ -43,15 +43,11 @@ pub(crate) fn soak() -> Result<(), Failed> {
 
 /// When memory was looked at, in seconds, and how much it was, in bytes.
 type Samples = Vec<(f64, f64)>;
+/// Whether memory has come to rest.
+type Flat<'a> = &'a dyn Fn(&[(f64, f64)]) -> bool;
 
 /// Drives around, changes cameras, looks inside; nobody may complain. It takes so many seconds at least, and at most, until memory is `flat`.
-fn play(
-    name: &str,
-    seconds: u64,
-    most: u64,
-    flat: &dyn Fn(&[(f64, f64)]) -> bool,
-    environment: &[(&str, &str)],
-) -> Result<Samples, Failed> {
+fn play(name: &str, seconds: u64, most: u64, flat: Flat<'_>, environment: &[(&str, &str)]) -> Result<Samples, Failed> {
     let environment = [&[("RUST_LOG", "warn,sward_viewer=info")], environment].concat();
     let mut desk = Desk::open(name, &[&*scenes("hello")?, "--steps", "20", "--pixels", "0.25", "--cpu"], &environment)?;
     desk.key("e")?;

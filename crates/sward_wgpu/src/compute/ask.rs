@@ -13,7 +13,7 @@ use sward::world::World;
 use super::GpuStep;
 use super::buffers::{CellBuffers, Numbers};
 use super::readback::Readback;
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::{Gpu, GpuError, Program};
 use crate::render::height_samples::HeightSamples;
 use crate::render::prepare::Bending;
 use crate::render::prepare_pipelines::before_bending;
@@ -83,26 +83,13 @@ impl AskPasses {
         if let Some((.., known)) = self.pipelines.iter().find(|(of, halved, _)| (*of, *halved) == (bending, half)) {
             return known.clone();
         }
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("ask"),
-            source: wgpu::ShaderSource::Wgsl(assembled(bending).into()),
-        });
+        let program = Program::new("ask", assembled(bending));
         let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("ask"),
             bind_group_layouts: &[Some(&layout(gpu))],
             ..Default::default()
         });
-        let made = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some("ask"),
-            layout: Some(&layout),
-            module: &module,
-            entry_point: Some("ask_pass"),
-            compilation_options: wgpu::PipelineCompilationOptions {
-                constants: &[("half_precision", f64::from(u32::from(half)))],
-                ..Default::default()
-            },
-            cache: None,
-        });
+        let made = program.pipeline(gpu, Some(&layout), "ask_pass", &[("half_precision", f64::from(u32::from(half)))]);
         self.pipelines.push((bending, half, made.clone()));
         made
     }

@@ -1,6 +1,7 @@
 //! The step of a stand that moves blade by blade: its plan as the passes read it, and the passes.
 
 use bytemuck::{Pod, Zeroable};
+use sward::interaction::reaction::{self, WORDS};
 use sward::plan::{PatchPlan, StandPlan};
 use sward::response::StandModel;
 use sward::response::chain::{self, ChainCoefficients, ChainModel, MOST_SEGMENTS, SPEEDS};
@@ -12,7 +13,7 @@ use super::air::AirTexels;
 use super::buffers::CellBuffers;
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::stopwatch::Stopwatch;
 
 /// `ChainStand`, for hosts that read virtual blades; needs [`chain::WGSL`] before it.
@@ -61,7 +62,7 @@ impl ChainUniform {
             dt: dt as f32,
             patch_side: stand.patch_side as f32,
             planes: 6 * solids as u32,
-            busy: SUMMARY_WORDS * patches as u32,
+            busy: SUMMARY_WORDS * patches as u32 + WORDS as u32 * solids as u32,
             steady,
         }
     }
@@ -123,7 +124,7 @@ pub fn assembled() -> String {
     parts.extend(chain::WGSL.iter().chain(&chain::STANDING_WGSL));
     parts.push(sward::interaction::solid::WGSL);
     parts.extend(chain::HELD_WGSL);
-    parts.push(&constants);
+    parts.extend([reaction::SUMS_WGSL, &constants]);
     parts.extend([CHAIN_STAND_WGSL, include_str!("blades.wgsl"), sward::wind::TILED_SUM_WGSL]);
     parts.join("\n")
 }
@@ -144,19 +145,16 @@ impl BladePasses {
 
     /// Builds the pipelines; wind is read from `air`.
     pub fn new(gpu: &Gpu, air: &AirTexels) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("blades"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("blades", assembled());
         Self {
-            virtual_blades: Pass::plain(gpu, &module, "virtual_pass", &[0, 1, 2, 3, 4, 5, 8, 11, 14]),
-            busy: Pass::plain(gpu, &module, "busy_pass", &[0, 2, 6, 7, 10, 11]),
-            blades: Pass::plain(gpu, &module, "blades_pass", &[0, 1, 2, 3, 4, 6, 7, 8, 10, 11, 14]),
+            virtual_blades: Pass::plain(gpu, &program, "virtual_pass", &[0, 1, 2, 3, 4, 5, 8, 11, 14]),
+            busy: Pass::plain(gpu, &program, "busy_pass", &[0, 2, 6, 7, 10, 11]),
+            blades: Pass::plain(gpu, &program, "blades_pass", &[0, 1, 2, 3, 4, 6, 7, 8, 10, 11, 14]),
             tile: air.buffer.clone(),
         }
     }
 
-    /// Records one step of a stand; `cells.now` is one step on when it has run. Returns the summaries, [`SUMMARY_WORDS`] a patch.
+    /// Records one step of a stand; `cells.now` is one step on when it has run. Returns the summaries, [`SUMMARY_WORDS`] a patch, and the sums of what solids feel.
     pub fn record(
         &self,
         gpu: &Gpu,
@@ -192,7 +190,7 @@ impl BladePasses {
             let usage = usage | wgpu::BufferUsages::COPY_DST;
             gpu.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size: 4 * words, usage, mapped_at_creation: false })
         };
-        let busy = u64::from(SUMMARY_WORDS) * all.len() as u64;
+        let busy = super::report_words(plan);
         let listed = 2 * u64::from(blades) * with_room.len() as u64;
         let summary = make("summaries", busy + 4 + listed.max(2), storage | wgpu::BufferUsages::COPY_SRC);
         gpu.queue.write_buffer(&summary, 4 * busy, bytemuck::cast_slice(&[0_u32, 1, 1, 0]));

@@ -26,7 +26,7 @@ struct ChainPatch {
 @group(0) @binding(8) var<storage, read> tile: array<vec2<f32>>;
 // Solids (six vec4 each), then planes from `chain.planes` on.
 @group(0) @binding(10) var<storage, read> words: array<vec4<u32>>;
-// Summaries, then from `chain.busy` on what the dispatch of the busy blades asks for (three words), how many they are, and of each the number of its
+// Summaries, sums of what solids feel, then from `chain.busy` on what the dispatch of the busy blades asks for (three words), how many they are, and of each the number of its
 // patch in `patches` and its own, in no order.
 @group(0) @binding(11) var<storage, read_write> summary: array<atomic<u32>>;
 @group(0) @binding(14) var<uniform> tile_wind: WindBlock;
@@ -35,6 +35,10 @@ var<private> entry: ChainPatch;
 
 fn wind_tile_load(index: u32) -> vec2<f32> {
     return tile[index];
+}
+
+fn reaction_add(word: u32, parts: i32) {
+    atomicAdd(&summary[word], bitcast<u32>(parts));
 }
 
 fn steady_load(index: u32) -> vec2<f32> {
@@ -192,6 +196,15 @@ fn blades_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         blade.state.joints[i] = vec4<f32>(blades[at], blades[at + chain.blades], blades[at + 2u * chain.blades], blades[at + 3u * chain.blades]);
     }
     blade = held_step(chain.coefficients, by, root, blade);
+    if held_pressed.solid != STANDING_NONE {
+        let solid = by.obstacles.first + held_pressed.solid;
+        let head = push_solid(solid);
+        let base = chain_planted(root.yaw, root.lean);
+        let about = 0.5 * (head.low.xyz + head.high.xyz);
+        let felt = pressed_felt(chain.coefficients, root, base, held_pressed, blade.before, held_bends(blade.state), about);
+        // The sums lie between the summaries and the busy blades.
+        reaction_sum(chain.busy + REACTION_WORDS * (solid - chain.planes / 6u), felt);
+    }
     for (var i = 0u; i < n; i++) {
         let at = first + 4u * i * chain.blades;
         let joint = blade.state.joints[i];

@@ -12,7 +12,7 @@ use sward::interaction::distance_map::{self, Cube, sized};
 use super::Work;
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::stopwatch::Stopwatch;
 
 /// Most workgroups along one axis that are asked for.
@@ -115,14 +115,11 @@ pub struct DistanceMapPasses {
 impl DistanceMapPasses {
     /// Builds the pipelines.
     pub fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("distance maps"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("distance maps", assembled());
         Self {
-            draw: Pass::plain(gpu, &module, "draw_pass", &[0, 1, 2, 3, 4]),
-            large: Pass::plain(gpu, &module, "large_pass", &[0, 1, 2, 3, 4]),
-            write: Pass::plain(gpu, &module, "write_pass", &[0, 1, 2, 3, 5]),
+            draw: Pass::plain(gpu, &program, "draw_pass", &[0, 1, 2, 3, 4]),
+            large: Pass::plain(gpu, &program, "large_pass", &[0, 1, 2, 3, 4]),
+            write: Pass::plain(gpu, &program, "write_pass", &[0, 1, 2, 3, 5]),
         }
     }
 

@@ -36,8 +36,14 @@ pub struct StandUniform {
     pub frame: u32,
     /// Cell side, m.
     pub spacing: f32,
+    /// Moment of inertia of what stands in a cell, kg·m².
+    pub inertia: f32,
+    /// κ, 1/s².
+    pub kappa: f32,
+    /// First word of what contacts feel behind the summaries.
+    pub reactions: u32,
     /// Keeps the size a multiple of 16 bytes.
-    pub unused: [f32; 2],
+    pub unused: [u32; 3],
 }
 
 impl StandUniform {
@@ -57,7 +63,10 @@ impl StandUniform {
             height: world.model.terrain.height_at(0.0, 0.0) as f32,
             frame: (step % u64::from(stand.lag.ring)) as u32,
             spacing: stand.spacing as f32,
-            unused: [0.0; 2],
+            inertia: stand.cell_inertia(),
+            kappa: stand.species.continuum.kappa,
+            reactions: super::SUMMARY_WORDS * plan.patches.len() as u32,
+            unused: [0; 3],
         }
     }
 }

@@ -7,7 +7,7 @@ use super::Work;
 use super::air::AirTexels;
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::stopwatch::Stopwatch;
 
 /// The passes of a plane in a step, in order.
@@ -73,10 +73,7 @@ pub struct FluidPasses {
 impl FluidPasses {
     /// Builds the pipelines, and the room for each plane.
     pub fn new(gpu: &Gpu, fluids: &[FluidSource]) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("air that flows"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("air that flows", assembled());
         let plane = |fluid: &FluidSource| {
             let spectrum = &fluid.model.spectrum;
             let waves = (0..fluid.model.side).map(|m| {
@@ -91,13 +88,13 @@ impl FluidPasses {
             Plane { table, waves: room("waves of air"), cells: room("cells of air") }
         };
         Self {
-            force: Pass::plain(gpu, &module, "force_pass", &[0, 1, 2, 3, 4, 5]),
-            columns: Pass::plain(gpu, &module, "columns_pass", &[0, 1, 5]),
-            spread: Pass::plain(gpu, &module, "spread_pass", &[0, 1, 5, 6]),
-            rows: Pass::plain(gpu, &module, "rows_pass", &[0, 1, 6]),
-            advect: Pass::plain(gpu, &module, "advect_pass", &[0, 1, 5, 6]),
-            project: Pass::plain(gpu, &module, "project_pass", &[0, 1, 5, 6]),
-            end: Pass::plain(gpu, &module, "end_pass", &[0, 1, 4, 6]),
+            force: Pass::plain(gpu, &program, "force_pass", &[0, 1, 2, 3, 4, 5]),
+            columns: Pass::plain(gpu, &program, "columns_pass", &[0, 1, 5]),
+            spread: Pass::plain(gpu, &program, "spread_pass", &[0, 1, 5, 6]),
+            rows: Pass::plain(gpu, &program, "rows_pass", &[0, 1, 6]),
+            advect: Pass::plain(gpu, &program, "advect_pass", &[0, 1, 5, 6]),
+            project: Pass::plain(gpu, &program, "project_pass", &[0, 1, 5, 6]),
+            end: Pass::plain(gpu, &program, "end_pass", &[0, 1, 4, 6]),
             planes: fluids.iter().map(plane).collect(),
             numbers: fluids.iter().map(|fluid| fluid.number).collect(),
         }

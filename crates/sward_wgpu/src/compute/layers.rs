@@ -1,6 +1,7 @@
 //! Stands of meshes on the GPU: the waves of their planes, and of plants that are touched.
 
 use bytemuck::{Pod, Zeroable};
+use sward::interaction::reaction;
 use sward::plan::LayeredPlan;
 use sward::response::harmonic::{self, HarmonicCoefficients, HarmonicModel, TOUCH_SIDE};
 use sward::state::{LayeredState, Waves};
@@ -10,7 +11,7 @@ use super::air::AirTexels;
 use super::download::Arriving;
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::{Gpu, GpuError, Program};
 use crate::render::layers::WaveBuffers;
 use crate::stopwatch::Stopwatch;
 
@@ -29,8 +30,10 @@ pub struct PlaneStep {
     pub side: u32,
     /// First cell of the present's note.
     pub note: u32,
+    /// Step, s.
+    pub dt: f32,
     /// 0.
-    pub unused: [u32; 2],
+    pub unused: u32,
 }
 
 /// `Touched` of `layers.wgsl`.
@@ -45,13 +48,23 @@ pub struct Touched {
     pub wind: [f32; 2],
     /// Its bodies: the first, and one past the last.
     pub brushes: [u32; 2],
+    /// Mass of the leaves of a cell, kg.
+    pub cell_mass: f32,
     /// 0.
-    pub unused: [u32; 2],
+    pub unused: u32,
 }
 
 /// The full text of the compute shader.
 pub fn assembled() -> String {
-    let parts = [sward::math::WGSL, sward::wind::WGSL, harmonic::WGSL, include_str!("layers.wgsl"), sward::wind::SUM_WGSL];
+    let parts = [
+        sward::math::WGSL,
+        sward::wind::WGSL,
+        reaction::WGSL,
+        reaction::SUMS_WGSL,
+        harmonic::WGSL,
+        include_str!("layers.wgsl"),
+        sward::wind::SUM_WGSL,
+    ];
     parts.join("\n")
 }
 
@@ -155,17 +168,14 @@ impl LayeredBuffers {
 impl LayerPasses {
     /// Builds the pipelines.
     pub fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("waves of meshes"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("waves of meshes", assembled());
         Self {
-            plane: Pass::plain(gpu, &module, "plane_pass", &[0, 1, 2, 3, 4, 8]),
-            plant: Pass::plain(gpu, &module, "plant_pass", &[0, 5, 6, 7, 9]),
+            plane: Pass::plain(gpu, &program, "plane_pass", &[0, 1, 2, 3, 4, 8]),
+            plant: Pass::plain(gpu, &program, "plant_pass", &[0, 5, 6, 7, 9, 10]),
         }
     }
 
-    /// Records the step after `step` of them.
+    /// Records the step after `step` of them. Returns the sums of what brushes feel.
     pub fn record(
         &self,
         gpu: &Gpu,
@@ -176,7 +186,7 @@ impl LayerPasses {
         buffers: &mut LayeredBuffers,
         work: &mut Work,
         mut stopwatch: Option<&mut Stopwatch>,
-    ) {
+    ) -> wgpu::Buffer {
         let slots = plan.touched.iter().map(|touched| touched.slot + 1).max().unwrap_or(1);
         buffers.reserve(gpu, encoder, slots);
         let area = model.cells * model.cells;
@@ -185,7 +195,8 @@ impl LayerPasses {
             touch: model.touch_coefficients,
             side: model.cells,
             note: model.ring.present(step + 1) * area,
-            unused: [0; 2],
+            dt: model.dt,
+            unused: 0,
         };
         let touched: Vec<Touched> = plan
             .touched
@@ -195,7 +206,8 @@ impl LayerPasses {
                 fresh: u32::from(one.fresh),
                 wind: one.wind,
                 brushes: [one.brushes.start, one.brushes.end],
-                unused: [0; 2],
+                cell_mass: one.cell_mass,
+                unused: 0,
             })
             .collect();
         let mut filled = |label: &str, bytes: &[u8], usage| {
@@ -206,6 +218,7 @@ impl LayerPasses {
         let wind = filled("wind", bytemuck::bytes_of(&plan.wind.block(model.cells)), wgpu::BufferUsages::UNIFORM);
         let touched_of = filled("touched plants", bytemuck::cast_slice(&touched), wgpu::BufferUsages::STORAGE);
         let brushes = filled("bodies on plants", bytemuck::cast_slice(&plan.brushes), wgpu::BufferUsages::STORAGE);
+        let felt = storage(gpu, "what bodies feel", 4 * (reaction::WORDS * plan.brushes.len()).max(4) as u64);
         let bound = [
             (0, &numbers),
             (1, &wind),
@@ -217,6 +230,7 @@ impl LayerPasses {
             (7, &buffers.touch_now),
             (8, &air.buffer),
             (9, &buffers.touch_old),
+            (10, &felt),
         ];
         let groups = model.cells.div_ceil(8);
         work.add(&self.plane.run(gpu, encoder, &bound, Groups::Direct([groups, groups, 1]), stopwatch.as_deref_mut()));
@@ -225,5 +239,6 @@ impl LayerPasses {
         work.traffic += traffic::plane(u64::from(area)) + traffic::plants(touched.len() as u64);
         std::mem::swap(&mut buffers.now, &mut buffers.old);
         std::mem::swap(&mut buffers.touch_now, &mut buffers.touch_old);
+        felt
     }
 }

@@ -5,7 +5,8 @@ struct PlaneStep {
     touch: HarmonicCoefficients,
     side: u32, // cells along a side of the plane
     note: u32, // first cell of the present's note
-    unused: vec2<u32>,
+    dt: f32,
+    unused: u32,
 }
 
 struct Touched {
@@ -13,7 +14,8 @@ struct Touched {
     fresh: u32,
     wind: vec2<f32>, // along the plane
     brushes: vec2<u32>, // first, and one past the last
-    unused: vec2<u32>,
+    cell_mass: f32, // of the leaves of a cell, kg
+    unused: u32,
 }
 
 @group(0) @binding(0) var<uniform> plane: PlaneStep;
@@ -26,6 +28,13 @@ struct Touched {
 @group(0) @binding(7) var<storage, read_write> touch_now: array<vec2<f32>>;
 @group(0) @binding(8) var<storage, read> wind_tile: array<vec2<f32>>;
 @group(0) @binding(9) var<storage, read_write> touch_old: array<vec2<f32>>; // becomes the next
+
+// What each brush feels.
+@group(0) @binding(10) var<storage, read_write> felt_sums: array<atomic<u32>>;
+
+fn reaction_add(word: u32, parts: i32) {
+    atomicAdd(&felt_sums[word], bitcast<u32>(parts));
+}
 
 fn wind_tile_load(index: u32) -> vec2<f32> {
     return wind_tile[index];
@@ -67,12 +76,18 @@ fn plant_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     let middle = vec2<f32>(id.xy) + vec2<f32>(0.5 - 0.5 * f32(HARMONIC_TOUCH_SIDE), 0.5);
     // The one that holds most.
     var held = vec3<f32>(0.0);
+    var by = plant.brushes.x;
     for (var k = plant.brushes.x; k < plant.brushes.y; k++) {
         let one = harmonic_brushed(brushes[k], middle);
         if one.z > held.z {
             held = one;
+            by = k;
         }
     }
-    let next = harmonic_free(plane.touch, here, old, around, plant.wind);
-    touch_old[at] = harmonic_taken_along(plane.touch, next, here, old, held);
+    let change = harmonic_taken_along(plane.touch, here, old, held);
+    touch_old[at] = harmonic_free(plane.touch, here, old, around, plant.wind) + change;
+    if held.z > 0.0 {
+        let force = harmonic_felt(brushes[by], middle, change, plant.cell_mass, plane.dt);
+        reaction_sum(REACTION_WORDS * by, Felt(force, vec3<f32>(0.0), 0.0));
+    }
 }

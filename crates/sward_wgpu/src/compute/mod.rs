@@ -23,8 +23,9 @@ pub mod traffic;
 use std::collections::VecDeque;
 
 use sward::activation::LATENCY;
+use sward::interaction::reaction::{Sums, WORDS};
 use sward::model::Revision;
-use sward::plan::StandPlan;
+use sward::plan::{Report, StandPlan, Toucher};
 use sward::response::chain;
 use sward::state::{NONE, PatchKey, Summary};
 use sward::world::World;
@@ -45,18 +46,30 @@ use swings::SwingPasses;
 /// How hosts read a cell; goes after [`sward::response::continuum::HALF_WGSL`].
 pub const CELLS_WGSL: &str = include_str!("cells.wgsl");
 
-/// A summary on its way to the CPU, stand by stand.
+/// What a step reports on its way to the CPU: stands of grass, then those of meshes.
 struct Pending {
     step: u64,
     submission: wgpu::SubmissionIndex,
-    stands: Vec<(Vec<PatchKey>, Readback)>,
+    stands: Vec<Reported>,
+}
+
+/// What one stand reports: a summary for each patch, then sums for each toucher.
+struct Reported {
+    patches: Vec<PatchKey>,
+    touchers: Vec<Toucher>,
+    readback: Readback,
 }
 
 impl Pending {
     /// Whether filing it will not wait.
     fn is_there(&mut self) -> bool {
-        self.stands.iter_mut().all(|(_, readback)| readback.is_there())
+        self.stands.iter_mut().all(|reported| reported.readback.is_there())
     }
+}
+
+/// Words of what a stand reports.
+fn report_words(plan: &StandPlan) -> u64 {
+    u64::from(SUMMARY_WORDS) * plan.patches.len() as u64 + (WORDS * plan.touchers.len()) as u64
 }
 
 /// What the GPU did so far.
@@ -186,7 +199,10 @@ impl GpuStep {
         if let Some(passes) = &self.layers {
             for ((stand, own), buffers) in world.model.layered.iter().zip(&plan.layered).zip(&mut self.layered) {
                 let (plan, watch) = ((own, plan.step), self.stopwatch.as_mut());
-                passes.record(gpu, &mut encoder, &stand.harmonic, plan, &self.air, buffers, &mut self.work, watch);
+                let felt = passes.record(gpu, &mut encoder, &stand.harmonic, plan, &self.air, buffers, &mut self.work, watch);
+                let bytes = 4 * (WORDS * own.touchers.len()) as u64;
+                let readback = Readback::record(gpu, &mut encoder, &felt, bytes);
+                stands.push(Reported { patches: Vec::new(), touchers: own.touchers.clone(), readback });
             }
         }
         if let Some(passes) = &self.fluids {
@@ -197,7 +213,7 @@ impl GpuStep {
             stopwatch.resolve(&mut encoder);
         }
         let submission = gpu.queue.submit([encoder.finish()]);
-        stands.iter_mut().for_each(|(_, readback): &mut (_, Readback)| readback.begin(gpu));
+        stands.iter_mut().for_each(|reported: &mut Reported| reported.readback.begin(gpu));
         self.pending.push_back(Pending { step: plan.step, submission, stands });
         world.end_step();
         gpu.check()
@@ -251,15 +267,23 @@ impl GpuStep {
         while self.pending.len() > left {
             let Some(pending) = self.pending.pop_front() else { break };
             let mut filed = Vec::new();
-            for (patches, readback) in pending.stands {
+            let grass = world.model.stands.len();
+            for (index, Reported { patches, touchers, readback }) in pending.stands.into_iter().enumerate() {
                 let values: Vec<u32> = readback.take(gpu, &pending.submission)?;
+                let (summaries, sums) = values.split_at((SUMMARY_WORDS as usize * patches.len()).min(values.len()));
+                let sums: Vec<Sums> = sums.chunks_exact(WORDS).map(Sums::of_words).collect();
+                if index >= grass {
+                    filed.push(world.report_layered(index - grass, &touchers, sums));
+                    continue;
+                }
                 let summary = |bits: &[u32]| Summary {
                     largest: f32::from_bits(bits[0]),
                     borders: [1, 2, 3, 4].map(|k| f32::from_bits(bits[k])),
                     clamped: bits[5],
                     held: bits[6],
                 };
-                filed.push(patches.into_iter().zip(values.chunks_exact(SUMMARY_WORDS as usize).map(summary)).collect());
+                let summaries = patches.into_iter().zip(summaries.chunks_exact(SUMMARY_WORDS as usize).map(summary));
+                filed.push(Report::new(summaries.collect(), &touchers, sums));
             }
             world.file(pending.step, filed);
         }
@@ -275,7 +299,7 @@ impl GpuStep {
         plan: &StandPlan,
         step: u64,
         encoder: &mut wgpu::CommandEncoder,
-        stands: &mut Vec<(Vec<PatchKey>, Readback)>,
+        stands: &mut Vec<Reported>,
     ) -> Result<(), GpuError> {
         let (stand, state) = (&world.model.stands[index], &world.state.stands[index]);
         let cells = &mut self.stands[index];
@@ -314,11 +338,8 @@ impl GpuStep {
                     cells.place_sheets(gpu, slot, places);
                 }
             }
-            passes.record(gpu, encoder, world, (index, springs), plan, cells, &mut self.work, self.stopwatch.as_mut());
-            // Nothing to report: a patch sleeps when its sheets have had the time to recover.
-            let bytes = plan.patches.len() as u64 * 4 * u64::from(SUMMARY_WORDS);
-            let nothing = gpu.filled("summaries", &vec![0; bytes.max(16) as usize], wgpu::BufferUsages::COPY_SRC);
-            stands.push(reported(gpu, encoder, plan, &nothing));
+            let report = passes.record(gpu, encoder, world, (index, springs), plan, cells, &mut self.work, self.stopwatch.as_mut());
+            stands.push(reported(gpu, encoder, plan, &report));
             return Ok(());
         }
         if let (Some(oscillator), Some(passes)) = (&stand.oscillator, &self.swings) {
@@ -344,8 +365,8 @@ impl GpuStep {
     }
 }
 
-/// The summaries of a step, on their way back.
-fn reported(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, plan: &StandPlan, summary: &wgpu::Buffer) -> (Vec<PatchKey>, Readback) {
-    let bytes = plan.patches.len() as u64 * 4 * u64::from(SUMMARY_WORDS);
-    (plan.patches.iter().map(|patch| patch.patch).collect(), Readback::record(gpu, encoder, summary, bytes))
+/// What a stand reports of a step, on its way back.
+fn reported(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, plan: &StandPlan, report: &wgpu::Buffer) -> Reported {
+    let readback = Readback::record(gpu, encoder, report, 4 * report_words(plan));
+    Reported { patches: plan.patches.iter().map(|patch| patch.patch).collect(), touchers: plan.touchers.clone(), readback }
 }

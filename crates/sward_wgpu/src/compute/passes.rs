@@ -10,7 +10,7 @@ use super::blades::SUMMARY_WORDS;
 use super::buffers::CellBuffers;
 use super::entries::{AwakePatch, Entries, StandUniform};
 use super::traffic::Traffic;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::stopwatch::Stopwatch;
 
 /// Files of the compute shader, after the libraries.
@@ -30,6 +30,7 @@ pub fn assembled() -> String {
     parts.push(sward::wind::WGSL.to_owned());
     parts.push(sward::interaction::WGSL.to_owned());
     parts.extend(sward::response::continuum::WGSL.iter().map(|part| (*part).to_owned()));
+    parts.push(sward::interaction::reaction::SUMS_WGSL.to_owned());
     parts.push(band);
     parts.extend(PARTS.map(str::to_owned));
     parts.join("\n")
@@ -50,31 +51,15 @@ pub(super) struct Pass {
 }
 
 impl Pass {
-    fn new(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &'static str, switches: Switches, bindings: &'static [u32]) -> Self {
+    fn new(gpu: &Gpu, program: &Program, entry: &'static str, switches: Switches, bindings: &'static [u32]) -> Self {
         let switch = |on: bool| f64::from(u8::from(on));
         let constants = [("last_substep", switch(switches.last_substep)), ("half_precision", switch(switches.half))];
-        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some(entry),
-            layout: None,
-            module,
-            entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
-            cache: None,
-        });
-        Self { label: entry, pipeline, bindings }
+        Self { label: entry, pipeline: program.pipeline(gpu, None, entry, &constants), bindings }
     }
 
     /// One without switches.
-    pub(super) fn plain(gpu: &Gpu, module: &wgpu::ShaderModule, entry: &'static str, bindings: &'static [u32]) -> Self {
-        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some(entry),
-            layout: None,
-            module,
-            entry_point: Some(entry),
-            compilation_options: Default::default(),
-            cache: None,
-        });
-        Self { label: entry, pipeline, bindings }
+    pub(super) fn plain(gpu: &Gpu, program: &Program, entry: &'static str, bindings: &'static [u32]) -> Self {
+        Self { label: entry, pipeline: program.pipeline(gpu, None, entry, &[]), bindings }
     }
 
     pub(super) fn run(
@@ -150,18 +135,15 @@ impl Passes {
 
     /// Builds the pipelines for cells of some precision; wind is read from `air`.
     pub fn new(gpu: &Gpu, air: &AirTexels, precision: &Precision) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("step"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("step", assembled());
         let half = *precision == Precision::Half;
-        let pass = |entry, bindings| Pass::new(gpu, &module, entry, Switches { last_substep: true, half }, bindings);
+        let pass = |entry, bindings| Pass::new(gpu, &program, entry, Switches { last_substep: true, half }, bindings);
         let wave_bindings = &[0, 2, 3, 4, 5, 6, 7, 11];
         Self {
             rest: pass("rest_pass", &[0, 1, 2, 7, 8, 14]),
             wake: pass("wake_pass", &[0, 2, 3, 4, 7]),
-            contact: pass("contact_pass", &[0, 2, 3, 4, 5, 6, 9, 10]),
-            wave: Pass::new(gpu, &module, "wave_pass", Switches { last_substep: false, half }, wave_bindings),
+            contact: pass("contact_pass", &[0, 2, 3, 5, 6, 7, 9, 10, 11]),
+            wave: Pass::new(gpu, &program, "wave_pass", Switches { last_substep: false, half }, wave_bindings),
             last_wave: pass("wave_pass", wave_bindings),
             lag: pass("lag_pass", &[0, 2, 3, 12, 13]),
             tile: air.buffer.clone(),
@@ -235,7 +217,7 @@ pub struct StepBuffers {
     contacts: wgpu::Buffer,
     words: wgpu::Buffer,
     gusty: bool,
-    /// [`SUMMARY_WORDS`] a patch.
+    /// [`SUMMARY_WORDS`] a patch, then the sums of what contacts feel.
     pub summary: wgpu::Buffer,
 }
 
@@ -275,7 +257,7 @@ impl StepBuffers {
             contacts: filled("contacts", bytemuck::cast_slice(&plan.contacts), storage),
             words: filled("edges and pairs", &words, storage),
             held: empty("held cells", entries.touched.len() as u64 * area),
-            summary: empty("summaries", entries.awake.len() as u64 * u64::from(SUMMARY_WORDS)),
+            summary: empty("summaries", super::report_words(plan)),
             gusty: uniform.gusty != 0,
         }
     }

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use bytemuck::{Pod, Zeroable};
-use sward::interaction::distance_map;
+use sward::interaction::{distance_map, reaction};
 use sward::plan::{ActiveSheet, StandPlan};
 use sward::response::StandModel;
 use sward::response::continuum::NODE_CELLS;
@@ -18,7 +18,7 @@ use super::buffers::CellBuffers;
 use super::distance_maps::{DistanceMapPasses, MapInput};
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::stopwatch::Stopwatch;
 
 /// How sheets lie in their words; needs the springs' texts before it.
@@ -57,7 +57,12 @@ pub struct SheetStep {
     /// k_w.
     pub wind: f32,
     /// Keeps the size a multiple of 16 bytes.
-    pub unused: [u32; 3],
+    /// κ and ⅓ of the mass of a plant over its height: times its height³ its stiffness, N·m/rad/m³.
+    pub stiffness: f32,
+    /// First word of what bodies feel.
+    pub reactions: u32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: u32,
 }
 
 /// `SheetEntry` of `sheets.wgsl`.
@@ -90,7 +95,7 @@ pub struct SheetEntry {
 pub fn assembled() -> String {
     let mut parts = vec![sward::math::WGSL, sward::wind::WGSL, distance_map::WGSL];
     parts.extend(springs::WGSL.iter().chain(&springs::STEP_WGSL));
-    parts.extend([SHEET_WORDS_WGSL, include_str!("sheets.wgsl"), sward::wind::SUM_WGSL]);
+    parts.extend([reaction::SUMS_WGSL, SHEET_WORDS_WGSL, include_str!("sheets.wgsl"), sward::wind::SUM_WGSL]);
     parts.join("\n")
 }
 
@@ -115,15 +120,12 @@ impl SheetPasses {
     /// Builds the pipelines and uploads the maps of bodies: of those that play no clip they stay. Wind is read
     /// from `air`.
     pub fn new(gpu: &Gpu, world: &World, air: &AirTexels) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("sheets"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("sheets", assembled());
         let storage = wgpu::BufferUsages::STORAGE;
         let texels = if world.texels.is_empty() { &[[0.0; 4]][..] } else { &world.texels };
         Self {
-            touch: Pass::plain(gpu, &module, "sheet_touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8]),
-            resolve: Pass::plain(gpu, &module, "sheet_resolve_pass", &[0, 2, 3, 4, 5, 6]),
+            touch: Pass::plain(gpu, &program, "sheet_touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8]),
+            resolve: Pass::plain(gpu, &program, "sheet_resolve_pass", &[0, 2, 3, 4, 5, 6, 7]),
             maps: world.model.bodies.iter().any(|body| body.is_animated()).then(|| DistanceMapPasses::new(gpu)),
             tile: air.buffer.clone(),
             texels: gpu.filled("maps of bodies", bytemuck::cast_slice(texels), storage),
@@ -159,7 +161,8 @@ impl SheetPasses {
         passes.record(gpu, encoder, &map_inputs(world, &points), &self.texels, work, stopwatch);
     }
 
-    /// Records one step of stand number `index`. A patch whose sheets have recovered sleeps by itself: there is nothing to report.
+    /// Records one step of stand number `index`. Returns room for summaries, all zero, since a patch whose sheets have recovered sleeps by
+    /// itself, and the sums of what bodies feel.
     pub fn record(
         &self,
         gpu: &Gpu,
@@ -170,17 +173,25 @@ impl SheetPasses {
         cells: &CellBuffers,
         work: &mut Work,
         mut stopwatch: Option<&mut Stopwatch>,
-    ) {
+    ) -> wgpu::Buffer {
         let stand = &world.model.stands[index];
         let all = entries(world, (index, model), plan);
+        let nothing = vec![0; 4 * super::report_words(plan).max(4) as usize];
+        let report = gpu.filled("reports", &nothing, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC);
         if all.is_empty() {
-            return;
+            return report;
         }
         let mut filled = |label: &str, bytes: &[u8]| {
             work.uploaded += bytes.len() as u64;
             gpu.filled(label, if bytes.is_empty() { &[0; 80] } else { bytes }, wgpu::BufferUsages::STORAGE)
         };
-        let numbers = SheetStep { coefficients: model.coefficients, wind: model.wind, unused: [0; 3] };
+        let numbers = SheetStep {
+            coefficients: model.coefficients,
+            wind: model.wind,
+            stiffness: stand.inertia * stand.species.continuum.kappa,
+            reactions: super::SUMMARY_WORDS * plan.patches.len() as u32,
+            unused: 0,
+        };
         let numbers = filled("sheets", bytemuck::bytes_of(&numbers));
         let wind = filled("wind", bytemuck::bytes_of(&plan.wind.block(stand.cells / NODE_CELLS)));
         let heads = filled("where maps are", bytemuck::cast_slice(&plan.sheets.heads));
@@ -194,8 +205,17 @@ impl SheetPasses {
         let lists: Vec<wgpu::Buffer> =
             all.chunks(MOST_AT_ONCE).map(|some| filled("deformed billboards", bytemuck::cast_slice(some))).collect();
         for (some, list) in all.chunks(MOST_AT_ONCE).zip(&lists) {
-            let bound =
-                [(0, &numbers), (1, &wind), (2, list), (3, &cells.sheets), (4, &heads), (5, &self.texels), (6, &room), (8, &self.tile)];
+            let bound = [
+                (0, &numbers),
+                (1, &wind),
+                (2, list),
+                (3, &cells.sheets),
+                (4, &heads),
+                (5, &self.texels),
+                (6, &room),
+                (7, &report),
+                (8, &self.tile),
+            ];
             let near = some.iter().filter(|entry| entry.count > 0).count();
             for (pass, count) in [(&self.touch, some.len()), (&self.resolve, near)] {
                 let groups = Groups::Direct([count.div_ceil(64) as u32, 1, u32::from(count > 0)]);
@@ -204,6 +224,7 @@ impl SheetPasses {
         }
         let near = all.iter().filter(|entry| entry.count > 0).count();
         work.traffic += traffic::touched_sheets(model, all.len() as u64) + traffic::resolved_sheets(model, near as u64);
+        report
     }
 }
 

@@ -3,9 +3,9 @@
 struct SheetStep {
     coefficients: SpringsCoefficients,
     wind: f32,
-    unused_a: u32,
-    unused_b: u32,
-    unused_c: u32,
+    stiffness: f32, // of a plant over its height³, N·m/rad/m³
+    reactions: u32, // first word of what bodies feel
+    unused: u32,
 }
 
 struct SheetEntry {
@@ -31,12 +31,18 @@ struct SheetEntry {
 @group(0) @binding(5) var<storage, read> texels: array<vec4<f32>>;
 // Word by word, the same of all entries side by side: those of each vertex, then what the step comes to.
 @group(0) @binding(6) var<storage, read_write> room: array<u32>;
+// Room for summaries, then sums of what each body feels.
+@group(0) @binding(7) var<storage, read_write> report: array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read> tile: array<vec2<f32>>;
 
 var<private> entry_at: u32;
 
 fn wind_tile_load(index: u32) -> vec2<f32> {
     return tile[index];
+}
+
+fn reaction_add(word: u32, parts: i32) {
+    atomicAdd(&report[word], bitcast<u32>(parts));
 }
 
 fn distance_map_load(index: u32) -> vec4<f32> {
@@ -153,13 +159,25 @@ fn sheet_resolve_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         return;
     }
     entry_at = id.x;
-    if springs_word(outcome_word()) != SPRINGS_TOUCHED {
+    let outcome = springs_word(outcome_word());
+    let entry = entries[id.x];
+    if outcome == SPRINGS_FREE || entry.root.length <= 0.0 {
         return;
     }
-    let entry = entries[id.x];
+    let co = stand.coefficients;
     let maps = SpringsMaps(entry.first, entry.count, entry.last);
-    for (var moment = 0u; moment <= maps.last; moment++) {
-        springs_resolve(stand.coefficients, maps, entry.root, moment, entry.heading);
+    for (var vertex = 0u; vertex < springs_vertices(co); vertex++) {
+        springs_put(SPRINGS_BEGUN, vertex, springs_at(SPRINGS_NOW, vertex));
     }
-    store_sheet(entry, SPRINGS_NOW, 0u);
+    if outcome == SPRINGS_TOUCHED {
+        for (var moment = 0u; moment <= maps.last; moment++) {
+            springs_resolve(co, maps, entry.root, moment, entry.heading);
+        }
+        store_sheet(entry, SPRINGS_NOW, 0u);
+    }
+    let length_ = entry.root.length;
+    let by = springs_felt(co, maps, entry.root, SPRINGS_BEGUN, SPRINGS_NOW, SPRINGS_STANDING, stand.stiffness * length_ * length_ * length_);
+    if by.head != SPRINGS_NOBODY {
+        reaction_sum(stand.reactions + REACTION_WORDS * by.head, by.felt);
+    }
 }

@@ -12,7 +12,12 @@ struct Stand {
     height: f32,
     frame: u32,     // place of this step in the ring of `history`
     spacing: f32,
-    unused: vec2<f32>,
+    inertia: f32,   // of what stands in a cell, kg·m²
+    kappa: f32,     // 1/s²
+    reactions: u32, // first word of what contacts feel behind the summaries
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
 }
 
 struct AwakePatch {
@@ -53,6 +58,10 @@ override last_substep: bool = true;
 
 fn wind_tile_load(index: u32) -> vec2<f32> {
     return tile[index];
+}
+
+fn reaction_add(word: u32, parts: i32) {
+    atomicAdd(&summary[word], bitcast<u32>(parts));
 }
 
 fn rest_node(index: u32) -> vec2<f32> {

@@ -23,7 +23,7 @@ fn wake_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     store_old(index, cell, dither);
 }
 
-/// Bends the cells under bodies and marks them held.
+/// Bends the cells under bodies and marks them held: the wave leaves those as they are, and keeps them for the past.
 @compute @workgroup_size(8, 8)
 fn contact_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     let entry = patches[id.z];
@@ -42,7 +42,7 @@ fn contact_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         if all(at >= vec2<i32>(0)) && all(at < contact.size) {
             let hit = contact_at(contact, at, height, stand.coefficients.plant_height);
             if hit.touches {
-                touch = continuum_gather(stand.coefficients, cell.bend, touch, hit);
+                touch = continuum_gather(stand.coefficients, cell.bend, touch, hit, k);
             }
         }
     }
@@ -51,7 +51,13 @@ fn contact_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         let next = continuum_contact(stand.coefficients, cell.bend, touch, slope_of(entry.slot, id.xy));
         let dither = dither_of(entry, id.xy);
         store_now(index, next, dither);
-        store_old(index, next, dither);
+        let pair = words[entry.pair_first + continuum_by(touch)];
+        let contact = contacts[u32(pair.x)];
+        let middle = (vec2<f32>(vec2<i32>(id.xy) - pair.yz) + 0.5) * contact.spacing - contact.centre;
+        let rest = rest_of(entry.slot, vec2<i32>(id.xy));
+        let leaning = continuum_leaning(stand.coefficients, stand.inertia, stand.kappa, cell, next, continuum_height(touch), rest);
+        let felt = reaction_felt(leaning, vec3<f32>(middle.x, height - contact.end.z, middle.y));
+        reaction_sum(stand.reactions + REACTION_WORDS * u32(pair.x), felt);
     }
 }
 

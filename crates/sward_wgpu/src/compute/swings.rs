@@ -1,6 +1,7 @@
 //! The step of a stand of plants that swing by themselves: its plan as the passes read it, and the passes.
 
 use bytemuck::{Pod, Zeroable};
+use sward::interaction::reaction;
 use sward::placement::PlacementParameters;
 use sward::plan::{PatchPlan, StandPlan};
 use sward::response::StandModel;
@@ -15,7 +16,7 @@ use super::blades::SUMMARY_WORDS;
 use super::buffers::CellBuffers;
 use super::passes::{Groups, Pass};
 use super::traffic;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::stopwatch::Stopwatch;
 
 /// Most workgroups along one axis that are asked for.
@@ -64,6 +65,14 @@ pub struct SwingStep {
     pub blocks: u32,
     /// Number of blocks.
     pub count: u32,
+    /// Place of the contacts behind those.
+    pub contacts: u32,
+    /// First word of what contacts feel behind the summaries.
+    pub reactions: u32,
+    /// ⅓ of the mass of a plant over its height, kg/m.
+    pub inertia: f32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: u32,
 }
 
 /// `SwingPatch` of `swings.wgsl`.
@@ -109,7 +118,7 @@ pub fn assembled() -> String {
     let words = format!("const SUMMARY_WORDS: u32 = {SUMMARY_WORDS}u;");
     let mut parts = vec![sward::math::WGSL, sward::wind::WGSL, sward::placement::WGSL, sward::interaction::WGSL, oscillation::WGSL];
     parts.extend(oscillator::WGSL);
-    parts.extend([&words, include_str!("swings.wgsl"), sward::wind::TILED_SUM_WGSL]);
+    parts.extend([reaction::SUMS_WGSL, &words, include_str!("swings.wgsl"), sward::wind::TILED_SUM_WGSL]);
     parts.join("\n")
 }
 
@@ -122,7 +131,7 @@ pub struct SwingPasses {
     tile: wgpu::Buffer,
 }
 
-/// Edges, pairs and blocks of a step as one list of words.
+/// Edges, pairs, blocks and contacts of a step as one list of words.
 fn words(plan: &StandPlan, blocks: &Blocks) -> Vec<u8> {
     let mut words: Vec<u8> = bytemuck::cast_slice(&plan.edges).to_vec();
     for pair in &blocks.pairs {
@@ -132,6 +141,7 @@ fn words(plan: &StandPlan, blocks: &Blocks) -> Vec<u8> {
         let corner = block.corner[0] | (block.corner[1] << 16);
         words.extend_from_slice(bytemuck::bytes_of(&[block.patch, corner, block.first, block.count]));
     }
+    words.extend_from_slice(bytemuck::cast_slice(&plan.contacts));
     words
 }
 
@@ -143,20 +153,17 @@ impl SwingPasses {
 
     /// Builds the pipelines; wind is read from `air`.
     pub fn new(gpu: &Gpu, air: &AirTexels) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("swings"),
-            source: wgpu::ShaderSource::Wgsl(assembled().into()),
-        });
+        let program = Program::new("swings", assembled());
         Self {
-            rebase: Pass::plain(gpu, &module, "rebase_pass", &[0, 2, 3, 6]),
-            air: Pass::plain(gpu, &module, "air_pass", &[0, 1, 2, 4, 8, 11, 14]),
-            fade: Pass::plain(gpu, &module, "fade_pass", &[0, 2, 3]),
-            touch: Pass::plain(gpu, &module, "touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 14]),
+            rebase: Pass::plain(gpu, &program, "rebase_pass", &[0, 2, 3, 6]),
+            air: Pass::plain(gpu, &program, "air_pass", &[0, 1, 2, 4, 8, 11, 14]),
+            fade: Pass::plain(gpu, &program, "fade_pass", &[0, 2, 3]),
+            touch: Pass::plain(gpu, &program, "touch_pass", &[0, 1, 2, 3, 4, 5, 6, 8, 10, 11, 14]),
             tile: air.buffer.clone(),
         }
     }
 
-    /// Records one step of a stand, the one after `before` steps. Returns the summaries, [`SUMMARY_WORDS`] a patch.
+    /// Records one step of a stand, the one after `before` steps. Returns the summaries, [`SUMMARY_WORDS`] a patch, and the sums of what contacts feel.
     pub fn record(
         &self,
         gpu: &Gpu,
@@ -193,6 +200,10 @@ impl SwingPasses {
             pairs,
             blocks: pairs + blocks.pairs.len() as u32,
             count,
+            contacts: pairs + blocks.pairs.len() as u32 + count,
+            reactions: SUMMARY_WORDS * plan.patches.len() as u32,
+            inertia: stand.inertia,
+            unused: 0,
         };
         let all: Vec<SwingPatch> = plan.patches.iter().enumerate().map(entry).collect();
         let fading: Vec<SwingPatch> = all.iter().filter(|patch| patch.keep < 1.0 || is_census(now)).copied().collect();
@@ -207,11 +218,10 @@ impl SwingPasses {
         let tile_wind = filled("tiled wind", bytemuck::bytes_of(&tile_wind), uniform);
         let awake = filled("awake patches", bytemuck::cast_slice(&all), storage);
         let faded = filled("fading patches", bytemuck::cast_slice(&fading), storage);
-        let contacts = filled("contacts", bytemuck::cast_slice(&plan.contacts), storage);
-        let words = filled("edges, pairs and blocks", &words(plan, &blocks), storage);
+        let words = filled("edges, pairs, blocks and contacts", &words(plan, &blocks), storage);
         let summary = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("summaries"),
-            size: (all.len() as u64 * u64::from(SUMMARY_WORDS)).max(4) * 4,
+            size: super::report_words(plan).max(4) * 4,
             usage: storage | wgpu::BufferUsages::COPY_SRC,
             mapped_at_creation: false,
         });
@@ -225,7 +235,6 @@ impl SwingPasses {
                 (5, &cells.ground),
                 (6, &cells.grown),
                 (8, &self.tile),
-                (9, &contacts),
                 (10, &words),
                 (11, &summary),
                 (14, &tile_wind),

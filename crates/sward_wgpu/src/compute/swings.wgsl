@@ -11,6 +11,10 @@ struct SwingStep {
     pairs: u32,       // place of the pairs behind the edges
     blocks: u32,      // place of the blocks behind those
     count: u32,       // blocks
+    contacts: u32,    // place of the contacts behind those
+    reactions: u32,   // first word of what contacts feel behind the summaries
+    inertia: f32,     // of a plant over its height³, kg/m
+    unused: u32,
 }
 
 struct SwingPatch {
@@ -36,8 +40,7 @@ struct SwingPatch {
 @group(0) @binding(5) var<storage, read> ground: array<f32>;
 @group(0) @binding(6) var<storage, read> grown: array<u32>;
 @group(0) @binding(8) var<storage, read> tile: array<vec2<f32>>;
-@group(0) @binding(9) var<storage, read> contacts: array<Contact>;
-// Edges (two words each), pairs (contact, corner x, corner z, unused), blocks (patch, corner, first pair, pairs).
+// Edges (two words each), pairs (contact, corner x, corner z, unused), blocks (patch, corner, first pair, pairs), contacts (seven words each).
 @group(0) @binding(10) var<storage, read> words: array<vec4<i32>>;
 @group(0) @binding(11) var<storage, read_write> summary: array<atomic<u32>>;
 @group(0) @binding(14) var<uniform> tile_wind: WindBlock;
@@ -54,6 +57,23 @@ fn contact_edge(index: u32) -> ContactEdge {
     let a = words[2u * index];
     let b = words[2u * index + 1u];
     return ContactEdge(a.xy, a.zw, bitcast<vec2<f32>>(b.xy), bitcast<f32>(b.z), 0.0);
+}
+
+fn contact_load(number: u32) -> Contact {
+    let first = stand.contacts + 7u * number;
+    let a = words[first];
+    let b = words[first + 1u];
+    let c = bitcast<vec4<f32>>(words[first + 2u]);
+    let d = words[first + 6u];
+    return Contact(
+        a.xy, u32(a.z), u32(a.w), u32(b.x), u32(b.y), bitcast<vec2<f32>>(b.zw), c.xy, c.z, c.w,
+        bitcast<vec4<f32>>(words[first + 3u]), bitcast<vec4<f32>>(words[first + 4u]), bitcast<vec4<f32>>(words[first + 5u]),
+        bitcast<f32>(d.x), u32(d.y), bitcast<f32>(d.z), bitcast<f32>(d.w),
+    );
+}
+
+fn reaction_add(word: u32, parts: i32) {
+    atomicAdd(&summary[word], bitcast<u32>(parts));
 }
 
 /// Tilt in the moment's wind at a place of a patch.
@@ -155,7 +175,7 @@ fn asked_of(block: vec4<i32>, cell: vec2<i32>, root: vec2<f32>, height: f32, rod
     asked.stays = 1.0;
     for (var k = 0u; k < u32(block.w); k++) {
         let pair = words[stand.pairs + u32(block.z) + k];
-        let contact = contacts[u32(pair.x)];
+        let contact = contact_load(u32(pair.x));
         let at = cell - pair.yz;
         if any(at < vec2<i32>(0)) || any(at >= contact.size) {
             continue;
@@ -165,10 +185,10 @@ fn asked_of(block: vec4<i32>, cell: vec2<i32>, root: vec2<f32>, height: f32, rod
             continue;
         }
         if contact.stays < 1.0 {
-            asked.leaving = touch_add(asked.leaving, push);
+            asked.leaving = touch_add(asked.leaving, push, k);
             asked.stays = contact.stays;
         } else {
-            asked.staying = touch_add(asked.staying, push);
+            asked.staying = touch_add(asked.staying, push, k);
         }
     }
     return asked;
@@ -205,9 +225,17 @@ fn touch_pass(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) 
         still = tilt_at(entry, plant.root);
     }
     let own = swing_own(co, placement_variety(stand.placement, entry.patch_index, index), plant.height);
-    let touched = TouchPlant(own, load_record(first), air_at(co, air, plant.root, 0.0, still));
+    let inertia = stand.inertia * plant.height * plant.height * plant.height;
+    let touched = TouchPlant(own, load_record(first), air_at(co, air, plant.root, 0.0, still), inertia, plant.height);
     let next = touch_step(co, touched, asked.staying, asked.leaving, asked.stays, stand.now);
     if next.changed {
         store_record(first, next.record);
+    }
+    if next.held {
+        let pair = words[stand.pairs + u32(block.z) + next.by];
+        let contact = contact_load(u32(pair.x));
+        let at = plant.root - vec2<f32>(pair.yz) * stand.placement.spacing - contact.centre;
+        let felt = reaction_felt(next.leaning, vec3<f32>(at.x, height - contact.end.z, at.y));
+        reaction_sum(stand.reactions + REACTION_WORDS * u32(pair.x), felt);
     }
 }

@@ -10,7 +10,7 @@ use sward::world::World;
 use super::prepare::Bending;
 use crate::compute::CELLS_WGSL;
 use crate::compute::buffers::CellBuffers;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 
 /// What plants become.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,31 +74,17 @@ pub(super) struct Pipelines {
 
 impl Pipelines {
     pub(super) fn new(gpu: &Gpu, world: &World, solved: Solved) -> Self {
-        let module = |bending: Bending| {
-            gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some("prepare"),
-                source: wgpu::ShaderSource::Wgsl(assembled(bending, solved).into()),
-            })
-        };
-        let continuum = module(Bending::Continuum);
-        let of = |bending: Bending| bending.is_in(world).then(|| module(bending));
+        let program = |bending: Bending| Program::new("prepare", assembled(bending, solved));
+        let continuum = program(Bending::Continuum);
+        let of = |bending: Bending| bending.is_in(world).then(|| program(bending));
         let [by_blade, swinging, deformed] = [Bending::Chain, Bending::Swing, Bending::Sheet].map(of);
-        let pipeline = |module: &wgpu::ShaderModule, half: f64| {
-            gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some("prepare"),
-                layout: None,
-                module,
-                entry_point: Some("prepare_pass"),
-                compilation_options: wgpu::PipelineCompilationOptions { constants: &[("half_precision", half)], ..Default::default() },
-                cache: None,
-            })
-        };
+        let pipeline = |program: &Program, half: f64| program.pipeline(gpu, None, "prepare_pass", &[("half_precision", half)]);
         Self {
             full: pipeline(&continuum, 0.0),
             half: (world.scene.budget.precision == Precision::Half).then(|| pipeline(&continuum, 1.0)),
-            by_blade: by_blade.map(|module| pipeline(&module, 0.0)),
-            swinging: swinging.map(|module| pipeline(&module, 0.0)),
-            deformed: deformed.map(|module| pipeline(&module, 0.0)),
+            by_blade: by_blade.map(|program| pipeline(&program, 0.0)),
+            swinging: swinging.map(|program| pipeline(&program, 0.0)),
+            deformed: deformed.map(|program| pipeline(&program, 0.0)),
         }
     }
 

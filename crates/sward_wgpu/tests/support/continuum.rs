@@ -79,8 +79,8 @@ pub(crate) fn bend(gpu: &Gpu) -> Verdict {
         let bend = next_v();
         let slope = next_v();
         var touch: ContinuumTouch;
-        touch = continuum_gather(co, bend, touch, next_hit());
-        touch = continuum_gather(co, bend, touch, next_hit());
+        touch = continuum_gather(co, bend, touch, next_hit(), 0u);
+        touch = continuum_gather(co, bend, touch, next_hit(), 1u);
         let held = continuum_contact(co, bend, touch, slope);
         put_v(held.bend);
         put_v(held.rate / 60.0);

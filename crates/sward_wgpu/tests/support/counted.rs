@@ -36,9 +36,9 @@ fn summed(passes: &[PassWork]) -> [u64; 3] {
 fn counted(world: &mut World) -> (Vec<PassWork>, u64) {
     let plan = world.plan();
     let found = passes(world, &plan);
-    let summaries = world.respond(&plan);
-    let held = summaries.iter().flatten().map(|(_, summary)| u64::from(summary.held)).sum();
-    world.finish(summaries);
+    let reports = world.respond(&plan);
+    let held = reports.iter().flat_map(|report| &report.summaries).map(|(_, summary)| u64::from(summary.held)).sum();
+    world.finish(reports);
     (found, held)
 }
 

@@ -68,9 +68,9 @@ fn rounded(world: &mut World, plan: &Plan, rounding: Rounding) {
 fn stepped(world: &mut World, steps: u64, rounding: Rounding) {
     for _ in 0..steps {
         let plan = world.plan();
-        let summaries = world.respond(&plan);
+        let reports = world.respond(&plan);
         rounded(world, &plan, rounding);
-        world.finish(summaries);
+        world.finish(reports);
     }
 }
 

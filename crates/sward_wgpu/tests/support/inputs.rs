@@ -7,6 +7,7 @@ use sward::world::{Input, World};
 use sward_wgpu::gpu::Gpu;
 
 use crate::adapter::{Verdict, ensure};
+use crate::reactions;
 use crate::runs::{Backend, agree, world};
 
 /// A calm world of one stand.
@@ -74,10 +75,12 @@ pub(crate) fn followed(gpu: &Gpu) -> Verdict {
         let (text, inputs) = (calm(stand), inputs(other)?);
         let (mut cpu, mut other) = (world(&text)?, world(&text)?);
         let (mut backend, mut hash) = (Backend::on(gpu, &other)?, 0);
-        for last in [8, 22, 28, 42, 60] {
+        let mut largest = 0.0_f64;
+        for last in [5, 8, 22, 28, 42, 60] {
             run(gpu, &mut Backend::Cpu, &mut cpu, &inputs, last)?;
             run(gpu, &mut backend, &mut other, &inputs, last)?;
             agree(stand, &cpu, &other, true)?;
+            largest = largest.max(reactions::agree(stand, &cpu, &other)?);
             if last == 28 {
                 hash = cpu.hash();
             }
@@ -85,6 +88,10 @@ pub(crate) fn followed(gpu: &Gpu) -> Verdict {
         ensure(cpu.state.winds[0].vacant && cpu.state.fluids.len() == 1 && cpu.state.vacant.is_empty(), || {
             "not all of it came about".to_owned()
         })?;
+        let (events, others) = (cpu.take_events(), other.take_events());
+        println!("{stand}: bodies feel up to {largest:.2} N and N·m, {} events", events.len());
+        ensure(largest > 0.01 && !events.is_empty(), || format!("{stand}: nothing is felt"))?;
+        ensure(reactions::plain(&events) == reactions::plain(&others), || format!("{stand}: other events: {events:?}, {others:?}"))?;
         // Control: without the other numbers, and without the first ball, it is another state.
         for left_out in [0, 3] {
             let mut less: Vec<_> = inputs.iter().filter(|(step, _)| *step < 28).cloned().collect();

@@ -125,18 +125,21 @@ pub(crate) fn touches(gpu: &Gpu) -> Verdict {
             let record = record(&mut random, 5000);
             let (variety, height) = (random.any(), random.float(0.05, 1.4));
             let wind = [random.float(-0.2, 0.2), random.float(-0.2, 0.2)];
-            let pushes: Vec<(Push, f32)> = (0..3)
+            let pushes: Vec<(u32, Push, f32)> = (0..3)
                 .map(|k| {
                     let tilt = random.float(-0.5, 1.5);
                     let (sine, cosine) = math::sin_cos(random.drawn(0.0, std::f32::consts::TAU));
                     let outward = [random.put(cosine), random.put(sine)];
-                    (Push { tilt, outward, pace: random.float(0.0, 30.0) }, if k == 2 { stays } else { 1.0 })
+                    let pace = random.float(0.0, 30.0);
+                    (k, Push { tilt, outward, pace, lever: 0.1 * (k + 1) as f32, aside: 1.0 }, if k == 2 { stays } else { 1.0 })
                 })
                 .collect();
             input.extend(random.words);
-            let plant = Plant { own: Own::of(&co, variety, height), record, wind };
-            let next = touch(&co, &plant, pushes.into_iter().filter(|(push, _)| push.tilt > 0.0), 5000).unwrap_or(record);
-            bits([next.deviation[0], next.deviation[1], 0.02 * next.rate, (next.stamp >> 8) as f32])
+            let plant = Plant { own: Own::of(&co, variety, height), record, wind, inertia: 1e-4, length: height };
+            let touched = touch(&co, &plant, pushes.into_iter().filter(|(_, push, _)| push.tilt > 0.0), 5000);
+            let next = touched.map_or(record, |touched| touched.record);
+            let (_, leaning) = touched.and_then(|touched| touched.leaning).unwrap_or_default();
+            bits([next.deviation[0], next.deviation[1], 0.02 * next.rate, (next.stamp >> 8) as f32, leaning.moment, leaning.lever])
         };
         let host = [
             STUBS,
@@ -144,21 +147,24 @@ pub(crate) fn touches(gpu: &Gpu) -> Verdict {
             let co = next_swing();
             let record = next_record();
             let variety = next_u();
-            let own = swing_own(co, variety, next_f());
-            let plant = TouchPlant(own, record, next_v());
+            let height = next_f();
+            let own = swing_own(co, variety, height);
+            let plant = TouchPlant(own, record, next_v(), 1e-4, height);
             var staying: Gathered;
             var leaving: Gathered;
             for (var k = 0u; k < 3u; k++) {
                 let tilt = next_f();
                 let outward = next_v();
-                let push = Push(tilt, outward, next_f());
-                if tilt > 0.0 && k == 2u { leaving = touch_add(leaving, push); }
-                if tilt > 0.0 && k < 2u { staying = touch_add(staying, push); }
+                let push = Push(tilt, outward, next_f(), 0.1 * f32(k + 1u), 1.0);
+                if tilt > 0.0 && k == 2u { leaving = touch_add(leaving, push, k); }
+                if tilt > 0.0 && k < 2u { staying = touch_add(staying, push, k); }
             }
             let next = touch_step(co, plant, staying, leaving, 0.25, 5000u);
             put_v(next.record.deviation);
             put_f(0.02 * next.record.rate);
             put_f(f32(next.record.stamp >> 8u));
+            put_f(next.leaning.moment);
+            put_f(next.leaning.lever);
         }",
         ]
         .concat();

@@ -112,8 +112,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
     let lag = layout!(LagCoefficients { segments, kind, gain_top, gain_recover, gamma_top, gamma_recover, ring, rate });
     let octave = layout!(Octave { step_x, step_z, phase, per_metre_x, per_metre_z, amplitude, reserved });
     let print = layout!(Footprint { patch as "patch_index", centre, turn, radius, speed, part, kind, first, side });
-    let stand =
-        layout!(StandUniform { coefficients, lag, cells, nodes, gusty, level, rest, wind_response, height, frame, spacing, unused });
+    let stand = layout!(StandUniform { coefficients, lag, cells, nodes, gusty, level, rest, wind_response, height, frame, spacing, inertia, kappa, reactions, unused as "unused_a" });
     let patch = layout!(AwakePatch {
         slot, lag, held, flags, neighbours, patch as "patch_index", pair_first, pair_count, keep, dither, safe, unused
     });
@@ -186,8 +185,8 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ),
         ("HarmonicCoefficients", text_of("waves of meshes"), layout!(HarmonicCoefficients { spread, restoring, damping, gain })),
         ("HarmonicBrush", text_of("waves of meshes"), layout!(Brush { at, half as "half_size", velocity, through, hold })),
-        ("PlaneStep", text_of("waves of meshes"), layout!(PlaneStep { co, touch, side, note, unused })),
-        ("Touched", text_of("waves of meshes"), layout!(Touched { slot, fresh, wind, brushes, unused })),
+        ("PlaneStep", text_of("waves of meshes"), layout!(PlaneStep { co, touch, side, note, dt, unused })),
+        ("Touched", text_of("waves of meshes"), layout!(Touched { slot, fresh, wind, brushes, cell_mass, unused })),
         (
             "LayerDraw",
             text_of("layers"),
@@ -224,7 +223,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         ),
         ("Root", text_of("step blade by blade"), layout!(Root { at, length, yaw, lean, curl, unused, slope, more_unused })),
         ("SolidHead", text_of("step blade by blade"), layout!(SolidHead { first, count, moment, body, low, high, centre, turn, radii })),
-        ("SheetStep", text_of("step sheet by sheet"), layout!(SheetStep { coefficients, wind, unused as "unused_a" })),
+        ("SheetStep", text_of("step sheet by sheet"), layout!(SheetStep { coefficients, wind, stiffness, reactions, unused })),
         (
             "SheetEntry",
             text_of("step sheet by sheet"),
@@ -241,7 +240,22 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
         (
             "SwingStep",
             text_of("step plant by plant"),
-            layout!(SwingStep { placement, coefficients, patch_side, height, level, growing, now, pairs, blocks, count }),
+            layout!(SwingStep {
+                placement,
+                coefficients,
+                patch_side,
+                height,
+                level,
+                growing,
+                now,
+                pairs,
+                blocks,
+                count,
+                contacts,
+                reactions,
+                inertia,
+                unused
+            }),
         ),
         (
             "SwingPatch",

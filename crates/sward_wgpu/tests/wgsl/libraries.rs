@@ -30,6 +30,7 @@ const HELD_STUBS: &str = "fn push_solid(index: u32) -> SolidHead { var solid: So
     fn held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 8> { return array<vec2<f32>, 8>(); } \
     fn held_wind(root: Root) -> vec2<f32> { return root.slope; }";
 const AIR_STUB: &str = "fn air_load(index: u32) -> f32 { return f32(index); }";
+const REACTION_STUB: &str = "fn reaction_add(word: u32, parts: i32) {}";
 const REST_STUB: &str = "fn rest_node(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";
 
 /// Name, and the parts that make it complete: what it needs, the host's functions, itself.
@@ -49,6 +50,8 @@ fn libraries() -> Vec<(&'static str, Vec<&'static str>)> {
         ("harmonic", vec![sward::response::harmonic::WGSL]),
         ("layers", vec![math::WGSL, LAYERS_STUBS, sward::geometry::layers::WGSL]),
         ("contact", vec![math::WGSL, CONTACT_STUB, interaction::WGSL]),
+        ("reactions", vec![math::WGSL, interaction::reaction::WGSL]),
+        ("sums of reactions", vec![math::WGSL, REACTION_STUB, interaction::reaction::WGSL, interaction::reaction::SUMS_WGSL]),
         ("continuum", continuum),
         ("growth", vec![GROWTH_STUBS, growth::WGSL]),
         ("half", vec![math::WGSL, continuum::HALF_WGSL]),

@@ -24,6 +24,8 @@ pub struct FullChain {
     pub directions: [[f64; 3]; MOST_SEGMENTS],
     /// How fast that changes, 1/s; across the directions.
     pub rates: [[f64; 3]; MOST_SEGMENTS],
+    /// A force on the upper end of each segment, N: what bodies press it with.
+    pub loads: [[f64; 3]; MOST_SEGMENTS],
     blade: Blade,
     /// Where the dummy segment points.
     root: Vector,
@@ -110,7 +112,7 @@ impl FullChain {
         let root = base[2].map(f64::from);
         let beta = 2.0 * blade.damping_ratio / (omega * mode.spring_share);
         let (directions, rates) = ([root; MOST_SEGMENTS], [[0.0; 3]; MOST_SEGMENTS]);
-        Ok(Self { directions, rates, blade: *blade, root, inertia: a, inverse, beta, fastest })
+        Ok(Self { directions, rates, loads: rates, blade: *blade, root, inertia: a, inverse, beta, fastest })
     }
 
     fn count(&self) -> usize {
@@ -141,6 +143,7 @@ impl FullChain {
         let mut force = [[0.0; 3]; MOST_SEGMENTS];
         let mut above = [0.0; 3];
         for i in (0..n).rev() {
+            above = plus(above, 1.0, self.loads[i]);
             force[i] = plus(plus([0.0, -weight_lever(&self.blade, i), 0.0], l, drag[i]), 2.0 * l, above);
             above = plus(above, 1.0, drag[i]);
         }

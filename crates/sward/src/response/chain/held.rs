@@ -7,7 +7,9 @@
 use super::blade::ChainCoefficients;
 use super::frame::{Frame, planted};
 use super::joint::{Bends, ChainState, count, step};
+use super::pressed::felt;
 use super::push::{Around, Obstacles, is_pushed, push, tip};
+use crate::interaction::reaction::Felt;
 use crate::math;
 use crate::state::Root;
 
@@ -80,13 +82,21 @@ fn apart(co: &ChainCoefficients, a: &Bends, b: &Bends) -> f32 {
 impl Holding<'_> {
     /// One step of one blade. `stands` gives its pose by the virtual blades, now (`false`) and a step before (`true`); `wind` the air at its root,
     /// (x, z) m/s.
+    ///
+    /// Returns which of the bodies holds it, and what that one feels about the middle of the box around it.
     #[inline(always)]
-    pub fn step(&self, root: &Root, blade: &mut HeldBlade, stands: impl Fn(&Frame, bool) -> Bends, wind: impl Fn() -> [f32; 2]) {
+    pub fn step(
+        &self,
+        root: &Root,
+        blade: &mut HeldBlade,
+        stands: impl Fn(&Frame, bool) -> Bends,
+        wind: impl Fn() -> [f32; 2],
+    ) -> Option<(u32, Felt)> {
         let pushed = self.obstacles.reach(root);
         let all = self.all && !self.handing;
         if root.length <= 0.0 || (blade.hold <= 0.0 && !pushed && !all) {
             blade.hold_before = 0.0;
-            return;
+            return None;
         }
         let base = planted(root.yaw, root.lean);
         let around = self.obstacles.around(root);
@@ -100,14 +110,16 @@ impl Holding<'_> {
         } else if touched || all {
             self.stay(blade, &shown);
         }
+        let mut felt = None;
         if blade.hold >= 1.0 {
             let obstacles = if touched { self.obstacles } else { Obstacles::NONE };
-            self.push_out((root, &base), &obstacles, &around, blade);
+            felt = self.push_out((root, &base), &obstacles, &around, blade);
         }
         if blade.hold > 0.0 && !touched && !all {
             self.go_back((root, &base), blade, &virtual_, || stands(&base, true));
         }
         blade.hold *= self.keep;
+        felt
     }
 
     /// A blade with a state swings. Returns how it would be drawn then.
@@ -180,13 +192,22 @@ impl Holding<'_> {
 
     /// Out of bodies and off the ground; joints that were turned stand still.
     #[inline(always)]
-    fn push_out(&self, (root, base): (&Root, &Frame), obstacles: &Obstacles, around: &Around, blade: &mut HeldBlade) {
+    fn push_out(
+        &self,
+        (root, base): (&Root, &Frame),
+        obstacles: &Obstacles,
+        around: &Around,
+        blade: &mut HeldBlade,
+    ) -> Option<(u32, Felt)> {
         let mut bends = blade.state.bends();
-        let turned = push(self.co, root, base, obstacles, around, &mut bends);
+        let (turned, pressed) = push(self.co, root, base, obstacles, around, &mut bends);
         for i in 0..count(self.co) {
             let [_, _, wx, wy] = blade.state.joints[i];
             let still = turned >> i & 1 == 1;
             blade.state.joints[i] = [bends[i][0], bends[i][1], if still { 0.0 } else { wx }, if still { 0.0 } else { wy }];
         }
+        let solid = obstacles.heads.get(pressed.solid as usize)?;
+        let about = [0, 1, 2].map(|axis: usize| 0.5 * (solid.low[axis] + solid.high[axis]));
+        Some((pressed.solid, felt(self.co, root, base, &pressed, &blade.before, &bends, about)))
     }
 }

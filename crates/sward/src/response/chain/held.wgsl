@@ -18,6 +18,9 @@ struct Holding {
     handing: bool,
 }
 
+// Where a body pushed the blade of the last `held_step`, and none if that is STANDING_NONE.
+var<private> held_pressed: Pressed;
+
 const HELD_NEAR: f32 = 0.06;
 const HELD_SLOW: f32 = 0.5;
 const HELD_FADE: f32 = 0.3;
@@ -72,6 +75,7 @@ fn held_stay(blade: HeldBlade, posture: array<vec2<f32>, 8>, segments: u32) -> H
 fn held_push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, blade: HeldBlade) -> HeldBlade {
     var next = blade;
     let pushed = push_out(co, root, base, obstacles, held_bends(blade.state));
+    held_pressed = pushed.pressed;
     var bends = pushed.bends;
     for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
         let still = ((pushed.turned >> i) & 1u) == 1u;
@@ -116,6 +120,7 @@ fn held_go_back(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32
 fn held_step(co: ChainCoefficients, by: Holding, root: Root, blade: HeldBlade) -> HeldBlade {
     let pushed = push_reach(by.obstacles, root);
     let all = by.all && !by.handing;
+    held_pressed = push_nobody();
     var next = blade;
     if root.length <= 0.0 || (blade.hold <= 0.0 && !pushed && !all) {
         next.hold_before = 0.0;

@@ -6,6 +6,7 @@
 use super::blade::{ChainCoefficients, MOST_SEGMENTS};
 use super::frame::{Frame, bend_towards, product, rotation, to_local};
 use super::joint::{BEND_LIMIT, Bends, count, rest_turn};
+use super::pressed::Pressed;
 use crate::interaction::solid::{Nearness, SolidHead, nearness, stands_on};
 use crate::math;
 use crate::state::{NONE, Root};
@@ -116,14 +117,20 @@ impl Obstacles<'_> {
     /// Whether a point lies too deep in any of them.
     #[inline(always)]
     fn is_deep(&self, around: &Around, root: &Root, at: [f32; 3]) -> bool {
+        self.deep_in(around, root, at).is_some()
+    }
+
+    /// The first in which a point lies too deep.
+    #[inline(always)]
+    fn deep_in(&self, around: &Around, root: &Root, at: [f32; 3]) -> Option<u32> {
         let mut k = self.next(around, 0);
         while k < self.heads.len() {
             if self.nearness(k, around, root, at).distance < -TOLERANCE {
-                return true;
+                return Some(k as u32);
             }
             k = self.next(around, k + 1);
         }
-        false
+        None
     }
 }
 
@@ -135,12 +142,12 @@ fn reaches(solid: &SolidHead, root: &Root) -> bool {
 }
 
 /// Where a point goes that lies too deep in the ground or in bodies: out of one after the other, twice, so that it leaves corners between them.
-/// `None` if it lies nowhere too deep.
+/// `None` if it lies nowhere too deep. With it the last of the bodies, or [`NONE`].
 #[inline(always)]
-fn free(obstacles: &Obstacles, around: &Around, root: &Root, at: [f32; 3]) -> Option<[f32; 3]> {
+fn free(obstacles: &Obstacles, around: &Around, root: &Root, at: [f32; 3]) -> Option<([f32; 3], u32)> {
     let [sx, sz] = root.slope;
     let rise = 1.0 / (1.0 + sx * sx + sz * sz).sqrt();
-    let mut there = at;
+    let (mut there, mut by) = (at, NONE);
     let mut moved = false;
     for _ in 0..ROUNDS {
         let ground = (there[1] - root.at[1] - CLEAR - sx * (there[0] - root.at[0]) - sz * (there[2] - root.at[2])) * rise;
@@ -153,7 +160,7 @@ fn free(obstacles: &Obstacles, around: &Around, root: &Root, at: [f32; 3]) -> Op
             let Nearness { distance, normal } = obstacles.nearness(k, around, root, there);
             if distance < -TOLERANCE {
                 there = [0, 1, 2].map(|axis| there[axis] + (SLACK - distance) * normal[axis]);
-                moved = true;
+                (moved, by) = (true, k as u32);
             }
             k = obstacles.next(around, k + 1);
         }
@@ -161,7 +168,7 @@ fn free(obstacles: &Obstacles, around: &Around, root: &Root, at: [f32; 3]) -> Op
             return None;
         }
     }
-    Some(there)
+    Some((there, by))
 }
 
 /// The middle and the end of a segment of `length` m above `below` that points along `way`.
@@ -190,30 +197,45 @@ pub fn is_pushed(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &
     false
 }
 
-/// Turns a blade out of the bodies of a step, moment by moment. Returns which joints were turned, as bits.
-pub fn push(co: &ChainCoefficients, root: &Root, base: &Frame, obstacles: &Obstacles, around: &Around, bends: &mut Bends) -> u32 {
-    let mut turned = 0;
+/// Turns a blade out of the bodies of a step, moment by moment. Returns which joints were turned, as bits, and where a body did it.
+pub fn push(
+    co: &ChainCoefficients,
+    root: &Root,
+    base: &Frame,
+    obstacles: &Obstacles,
+    around: &Around,
+    bends: &mut Bends,
+) -> (u32, Pressed) {
+    let (mut turned, mut pressed) = (0, Pressed::NOT);
     let last = obstacles.heads.iter().map(|solid| solid.moment).max().unwrap_or(0);
     for moment in 0..=last {
         let around = obstacles.at(around, moment);
         // A body stands on the root: no joint can turn the blade out of it, so it lies flat under it.
-        if obstacles.is_deep(&around, root, root.at) {
+        if let Some(solid) = obstacles.deep_in(&around, root, root.at) {
             *bends = lying(co, root, base, TILTS[1], HEADINGS[0], tip(co, root, base, bends));
             turned = (1 << co.segments) - 1;
+            pressed = lying_under(solid, tip(co, root, base, bends));
             continue;
         }
         let mut moved = 1;
         for number in 0..SWEEPS {
             if moved != 0 {
-                moved = sweep(co, root, base, (obstacles, &around), number / PATIENCE % co.segments, bends);
+                moved = sweep(co, root, base, (obstacles, &around), number / PATIENCE % co.segments, (bends, &mut pressed));
                 turned |= moved;
             }
         }
         if moved != 0 && lies_down(co, root, base, (obstacles, &around), bends) {
             turned = (1 << co.segments) - 1;
+            pressed = lying_under(pressed.solid, tip(co, root, base, bends));
         }
     }
-    turned
+    (turned, pressed)
+}
+
+/// A blade that lies under a body is touched halfway.
+#[inline(always)]
+fn lying_under(solid: u32, tip: [f32; 3]) -> Pressed {
+    Pressed { solid, joint: 0, arm: tip.map(|part| 0.5 * part), normal: [0.0; 3] }
 }
 
 /// The bends with which a blade lies straight, tilted from the ground's normal, its tip turned by a heading from where `tip` is.
@@ -242,7 +264,7 @@ fn lies_down(co: &ChainCoefficients, root: &Root, base: &Frame, by: (&Obstacles,
     for tilt in TILTS {
         for heading in HEADINGS {
             let mut lying = lying(co, root, base, tilt, heading, tip);
-            if sweep(co, root, base, by, 0, &mut lying) == 0 {
+            if sweep(co, root, base, by, 0, (&mut lying, &mut { Pressed::NOT })) == 0 {
                 *bends = lying;
                 return true;
             }
@@ -334,7 +356,7 @@ fn sweep(
     base: &Frame,
     (obstacles, around): (&Obstacles, &Around),
     lower: u32,
-    bends: &mut Bends,
+    (bends, pressed): (&mut Bends, &mut Pressed),
 ) -> u32 {
     let length = root.length / co.segments as f32;
     let (frames, places) = ([*base; MOST_SEGMENTS + 1], [root.at; MOST_SEGMENTS + 1]);
@@ -344,8 +366,14 @@ fn sweep(
         blade.follow(i);
         for end in 0..2 {
             let point = points(blade.places[i], blade.frames[i + 1][2], length)[end];
-            let Some(there) = free(obstacles, around, root, point) else { continue };
+            let Some((there, by)) = free(obstacles, around, root, point) else { continue };
             let j = i.saturating_sub(lower as usize);
+            if by != NONE && j as u32 <= pressed.joint {
+                let way = minus(there, point);
+                let far = math::upper(dot(way, way).sqrt(), 1e-9);
+                let (arm, normal) = (minus(there, blade.places[j]), way.map(|part| part / far));
+                *pressed = Pressed { solid: by, joint: j as u32, arm, normal };
+            }
             blade.turn(j, point, there);
             (j..=i).for_each(|k| blade.follow(k));
             turned |= 1 << j;

@@ -22,14 +22,24 @@ struct Obstacles {
     moment: u32,
 }
 
+// Where a body last pushed a blade: which of the obstacles, the lowest joint that it turned, from there to where it touches the blade, and which way.
+struct Pressed {
+    solid: u32,
+    joint: u32,
+    arm: vec3<f32>,
+    normal: vec3<f32>,
+}
+
 struct Pushed {
     bends: array<vec2<f32>, 8>,
     turned: u32,
+    pressed: Pressed,
 }
 
 struct PushFree {
     moved: bool,
     place: vec3<f32>,
+    by: u32,
 }
 
 const PUSH_BITS: u32 = 32u;
@@ -97,29 +107,42 @@ fn push_nearness(obstacles: Obstacles, k: u32, root: Root, at: vec3<f32>) -> Sol
     return solid_nearness(solid, at, standing);
 }
 
-fn push_deep(obstacles: Obstacles, root: Root, at: vec3<f32>) -> bool {
+// The first in which a point lies too deep, or none.
+fn push_deep_in(obstacles: Obstacles, root: Root, at: vec3<f32>) -> u32 {
     for (var k = push_next(obstacles, 0u); k < obstacles.count; k = push_next(obstacles, k + 1u)) {
         if push_nearness(obstacles, k, root, at).distance < -PUSH_TOLERANCE {
-            return true;
+            return k;
         }
     }
-    return false;
+    return STANDING_NONE;
+}
+
+fn push_deep(obstacles: Obstacles, root: Root, at: vec3<f32>) -> bool {
+    return push_deep_in(obstacles, root, at) != STANDING_NONE;
+}
+
+fn push_nobody() -> Pressed {
+    return Pressed(STANDING_NONE, STANDING_NONE, vec3<f32>(0.0), vec3<f32>(0.0));
+}
+
+fn push_lying_under(solid: u32, tip: vec3<f32>) -> Pressed {
+    return Pressed(solid, 0u, 0.5 * tip, vec3<f32>(0.0));
 }
 
 fn push_free(obstacles: Obstacles, root: Root, at: vec3<f32>) -> PushFree {
     let rise = 1.0 / sqrt(1.0 + root.slope.x * root.slope.x + root.slope.y * root.slope.y);
     let normal = vec3<f32>(-root.slope.x, 1.0, -root.slope.y) * rise;
-    var free = PushFree(false, at);
+    var free = PushFree(false, at, STANDING_NONE);
     for (var round = 0u; round < PUSH_ROUNDS; round++) {
         let off = free.place - root.at;
         let ground = (off.y - PUSH_CLEAR - root.slope.x * off.x - root.slope.y * off.z) * rise;
         if ground < -PUSH_TOLERANCE {
-            free = PushFree(true, free.place - ground * normal);
+            free = PushFree(true, free.place - ground * normal, free.by);
         }
         for (var k = push_next(obstacles, 0u); k < obstacles.count; k = push_next(obstacles, k + 1u)) {
             let found = push_nearness(obstacles, k, root, free.place);
             if found.distance < -PUSH_TOLERANCE {
-                free = PushFree(true, free.place + (PUSH_SLACK - found.distance) * found.normal);
+                free = PushFree(true, free.place + (PUSH_SLACK - found.distance) * found.normal, k);
             }
         }
         if !free.moved {
@@ -171,9 +194,9 @@ fn push_turn(co: ChainCoefficients, curl: f32, j: u32, below: mat3x3<f32>, frame
 }
 
 // No frame is kept in an array: software and small GPUs are slow at those, and walking up again costs little.
-fn push_sweep(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, lower: u32, posture: array<vec2<f32>, 8>) -> Pushed {
+fn push_sweep(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, lower: u32, posture: array<vec2<f32>, 8>, pressed: Pressed) -> Pushed {
     let length_ = root.length / f32(co.segments);
-    var result = Pushed(posture, 0u);
+    var result = Pushed(posture, 0u, pressed);
     var frame = base;
     var place = root.at;
     for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
@@ -190,6 +213,10 @@ fn push_sweep(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: O
             for (var k = 0u; k < j; k++) {
                 below = below * chain_rotation(result.bends[k] + chain_rest_turn(co.segments, root.curl, k));
                 place += length_ * below[2];
+            }
+            if free.by != STANDING_NONE && j <= result.pressed.joint {
+                let way = free.place - point;
+                result.pressed = Pressed(free.by, j, free.place - place, way / math_upper(sqrt(dot(way, way)), 1e-9));
             }
             frame = below * chain_rotation(result.bends[j] + chain_rest_turn(co.segments, root.curl, j));
             result.bends[j] = push_turn(co, root.curl, j, below, frame, place, point, free.place);
@@ -244,20 +271,20 @@ fn push_lying(co: ChainCoefficients, root: Root, base: mat3x3<f32>, nearly_flat:
 }
 
 // A blade that found no way out lies down straight; `turned` is 0 if it cannot.
-fn push_down(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, posture: array<vec2<f32>, 8>) -> Pushed {
+fn push_down(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, posture: array<vec2<f32>, 8>, pressed: Pressed) -> Pushed {
     let tip = push_tip(co, root, base, posture);
-    var result = Pushed(posture, 0u);
+    var result = Pushed(posture, 0u, pressed);
     for (var k = 0u; k < 16u && result.turned == 0u; k++) {
         let lying = push_lying(co, root, base, k >= 8u, push_heading(k % 8u), tip);
-        if push_sweep(co, root, base, obstacles, 0u, lying).turned == 0u {
-            result = Pushed(lying, (1u << co.segments) - 1u);
+        if push_sweep(co, root, base, obstacles, 0u, lying, push_nobody()).turned == 0u {
+            result = Pushed(lying, (1u << co.segments) - 1u, push_lying_under(pressed.solid, push_tip(co, root, base, lying)));
         }
     }
     return result;
 }
 
 fn push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, posture: array<vec2<f32>, 8>) -> Pushed {
-    var result = Pushed(posture, 0u);
+    var result = Pushed(posture, 0u, push_nobody());
     var last = 0u;
     for (var k = 0u; k < obstacles.count; k++) {
         last = max(last, push_solid(obstacles.first + k).moment);
@@ -265,18 +292,20 @@ fn push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obs
     for (var moment = 0u; moment <= last; moment++) {
         let present = push_at(obstacles, moment);
         var moved = 1u;
-        if push_deep(present, root, root.at) {
-            result = Pushed(push_lying(co, root, base, true, vec2<f32>(1.0, 0.0), push_tip(co, root, base, result.bends)), (1u << co.segments) - 1u);
+        let over = push_deep_in(present, root, root.at);
+        if over != STANDING_NONE {
+            let lying = push_lying(co, root, base, true, vec2<f32>(1.0, 0.0), push_tip(co, root, base, result.bends));
+            result = Pushed(lying, (1u << co.segments) - 1u, push_lying_under(over, push_tip(co, root, base, lying)));
             moved = 0u;
         }
         for (var number = 0u; number < PUSH_SWEEPS && moved != 0u; number++) {
-            let swept = push_sweep(co, root, base, present, number / PUSH_PATIENCE % co.segments, result.bends);
+            let swept = push_sweep(co, root, base, present, number / PUSH_PATIENCE % co.segments, result.bends, result.pressed);
             moved = swept.turned;
-            result = Pushed(swept.bends, result.turned | moved);
+            result = Pushed(swept.bends, result.turned | moved, swept.pressed);
         }
         if moved != 0u {
-            let down = push_down(co, root, base, present, result.bends);
-            result = Pushed(down.bends, result.turned | down.turned);
+            let down = push_down(co, root, base, present, result.bends, result.pressed);
+            result = Pushed(down.bends, result.turned | down.turned, down.pressed);
         }
     }
     return result;

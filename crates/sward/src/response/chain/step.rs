@@ -8,6 +8,7 @@ use super::planting;
 use super::push::Obstacles;
 use super::standing::Standing;
 use super::virtual_blades::VirtualBlades;
+use crate::interaction::reaction::Sums;
 use crate::plan::{PatchPlan, StandPlan};
 use crate::response::each::each;
 use crate::response::{Stage, StandModel};
@@ -54,7 +55,7 @@ fn wind_of<'a>(stand: &StandModel, plan: &'a StandPlan, patch: PatchKey) -> (&'a
     (wind, wind.patch_phases(patch, stand.cells / crate::response::continuum::NODE_CELLS))
 }
 
-/// Virtual blades → blades with a state; returns what activation wants to know of each patch. `cells.now` is one step on afterwards.
+/// Virtual blades → blades with a state; returns what activation wants to know of each patch, and what each of `plan.solids.heads` feels. `cells.now` is one step on afterwards.
 /// `ended` hears of each stage that has just ended.
 pub fn step(
     terrain: &Terrain,
@@ -64,13 +65,15 @@ pub fn step(
     cells: &mut Cells,
     dt: f32,
     ended: &mut dyn FnMut(Stage),
-) -> Vec<(PatchKey, Summary)> {
+) -> (Vec<(PatchKey, Summary)>, Vec<Sums>) {
     reserve(cells, plan, sizes(chain, stand.cells));
     let mut summaries = virtual_blades(stand, chain, plan, cells, dt);
     std::mem::swap(&mut cells.now, &mut cells.old);
     ended(Stage::Virtual);
     let held = blades(terrain, stand, chain, plan, cells, dt);
-    for (patch, count, fastest) in held {
+    let mut sums = vec![Sums::default(); plan.solids.heads.len()];
+    for Held { patch, first, count, fastest, felt } in held {
+        felt.iter().enumerate().for_each(|(number, felt)| sums[first + number].merge(felt));
         let Ok(index) = summaries.binary_search_by(|(key, _)| key.cmp(&patch)) else { continue };
         let summary = &mut summaries[index].1;
         summary.held = count;
@@ -79,7 +82,20 @@ pub fn step(
         summary.largest = if count > 0 && restless > summary.largest { restless } else { summary.largest };
     }
     ended(Stage::Blades);
-    summaries
+    (summaries, sums)
+}
+
+/// The blades of a patch after a step.
+struct Held {
+    patch: PatchKey,
+    /// How many are held.
+    count: u32,
+    /// The largest |ω|² of them.
+    fastest: f32,
+    /// First of the patch's solids.
+    first: usize,
+    /// What each of them feels.
+    felt: Vec<Sums>,
 }
 
 /// `cells.old` receives the moments of the future.
@@ -100,15 +116,8 @@ fn virtual_blades(stand: &StandModel, chain: &ChainModel, plan: &StandPlan, cell
     })
 }
 
-/// Blades of the patches that have room for them: patch, how many are held, and the largest |ω|² of them.
-fn blades(
-    terrain: &Terrain,
-    stand: &StandModel,
-    chain: &ChainModel,
-    plan: &StandPlan,
-    cells: &mut Cells,
-    dt: f32,
-) -> Vec<(PatchKey, u32, f32)> {
+/// Blades of the patches that have room for them.
+fn blades(terrain: &Terrain, stand: &StandModel, chain: &ChainModel, plan: &StandPlan, cells: &mut Cells, dt: f32) -> Vec<Held> {
     let (now, old) = (&cells.now, &cells.old);
     type Slot<'a> = (&'a mut Box<[f32]>, &'a mut Box<[Root]>);
     let mut slots: Vec<Option<Slot>> = cells.lag.iter_mut().zip(&mut cells.roots).map(Some).collect();
@@ -133,6 +142,7 @@ fn blades(
             handing: patch.handing,
         };
         let (mut held, mut fastest) = (0, 0.0);
+        let mut felt = vec![Sums::default(); patch.solids.len()];
         for (index, root) in roots.iter().enumerate() {
             // Most are neither held nor within reach of a body.
             let hold = |plane: usize| values[(6 * count(&chain.coefficients) + plane) * roots.len() + index];
@@ -143,12 +153,15 @@ fn blades(
             let local = [root.at[0], root.at[2]];
             let air = || wind.velocity_local(&phases, local);
             let mut blade = loaded(values, roots.len(), index, count(&chain.coefficients));
-            holding.step(
+            let by = holding.step(
                 root,
                 &mut blade,
                 |base, before| standing.pose(base, root.curl, &standing.moments(if before { old } else { now }, local, air)),
                 air,
             );
+            if let Some((solid, of_blade)) = by {
+                felt[solid as usize].add(&of_blade);
+            }
             store(values, roots.len(), index, count(&chain.coefficients), &blade);
             if blade.hold > 0.0 {
                 held += 1;
@@ -156,7 +169,7 @@ fn blades(
                 fastest = rates.fold(fastest, |most: f32, rate| if rate > most { rate } else { most });
             }
         }
-        (patch.patch, held, fastest)
+        Held { patch: patch.patch, count: held, fastest, first: patch.solids.start, felt }
     })
 }
 

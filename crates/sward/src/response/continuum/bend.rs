@@ -19,6 +19,10 @@ pub struct Held {
     pub bend: [f32; 2],
     /// ω, also its own past.
     pub rate: [f32; 2],
+    /// Which of the hits bends it: its number, counted from 0.
+    pub by: u32,
+    /// How high that one touches it, m.
+    pub height: f32,
 }
 
 /// The push of one hit: Δ of methods §1.2, rad.
@@ -84,7 +88,7 @@ fn driven(co: &Coefficients, bend: [f32; 2], hit: &Hit, delta: f32, slope: [f32;
     if length(rate) > RATE_LIMIT {
         rate = scaled_to(rate, RATE_LIMIT);
     }
-    Held { bend: next, rate }
+    Held { bend: next, rate, by: 0, height: hit.height }
 }
 
 /// The floor under a body: |β| ≥ min(θ_max, atan(depth/h)), approached along β itself, along the edge normal only if β has no direction.
@@ -104,19 +108,22 @@ fn floored(co: &Coefficients, bend: [f32; 2], deepest: &Hit, slope: [f32; 2]) ->
 /// `hits` are in body order. `None` if nothing touches.
 #[inline(always)]
 pub fn contact(co: &Coefficients, bend: [f32; 2], slope: [f32; 2], hits: impl Iterator<Item = Hit>) -> Option<Held> {
-    let mut strongest: Option<(f32, Hit)> = None;
-    let mut deepest: Option<Hit> = None;
-    for hit in hits {
-        let delta = push(co, bend, &hit);
-        if strongest.as_ref().is_none_or(|(best, _)| delta > *best) {
-            strongest = Some((delta, hit));
+    let mut strongest: Option<(f32, Hit, u32)> = None;
+    let mut deepest: Option<(Hit, u32)> = None;
+    for (number, hit) in hits.enumerate() {
+        let (delta, number) = (push(co, bend, &hit), number as u32);
+        if strongest.as_ref().is_none_or(|(best, ..)| delta > *best) {
+            strongest = Some((delta, hit, number));
         }
-        if deepest.as_ref().is_none_or(|best| hit.floor() > best.floor()) {
-            deepest = Some(hit);
+        if deepest.as_ref().is_none_or(|(best, _)| hit.floor() > best.floor()) {
+            deepest = Some((hit, number));
         }
     }
-    let ((delta, hit), deepest) = (strongest?, deepest?);
-    let mut held = if hit.speed < HOLDING { Held { bend, rate: [0.0, 0.0] } } else { driven(co, bend, &hit, delta, slope) };
+    let ((delta, hit, pusher), (deepest, deeper)) = (strongest?, deepest?);
+    let still = Held { bend, rate: [0.0, 0.0], by: 0, height: hit.height };
+    let mut held = if hit.speed < HOLDING { still } else { driven(co, bend, &hit, delta, slope) };
     held.bend = floored(co, held.bend, &deepest, slope);
+    // What does not push holds it down.
+    (held.by, held.height) = if delta > 0.0 { (pusher, hit.height) } else { (deeper, deepest.height) };
     Some(held)
 }

@@ -24,12 +24,14 @@ struct ContinuumCell {
     rate: vec2<f32>,
 }
 
-/// The strongest push and the highest floor met so far in one cell.
+/// The strongest push and the highest floor met so far in one cell, and of which contacts they are.
 struct ContinuumTouch {
     strongest: f32,
     hit: ContactHit,
     floor: f32,
     deepest: ContactHit,
+    pusher: u32,
+    deeper: u32,
 }
 
 const CONTINUUM_HALF_PI: f32 = 1.5707964;
@@ -62,17 +64,19 @@ fn continuum_push(co: ContinuumCoefficients, bend: vec2<f32>, hit: ContactHit) -
     return math_atan(math_tan(t) + hit.along * co.step / hit.height) - t;
 }
 
-fn continuum_gather(co: ContinuumCoefficients, bend: vec2<f32>, so_far: ContinuumTouch, hit: ContactHit) -> ContinuumTouch {
+fn continuum_gather(co: ContinuumCoefficients, bend: vec2<f32>, so_far: ContinuumTouch, hit: ContactHit, number: u32) -> ContinuumTouch {
     var touch = so_far;
     let delta = continuum_push(co, bend, hit);
     if !touch.hit.touches || delta > touch.strongest {
         touch.strongest = delta;
         touch.hit = hit;
+        touch.pusher = number;
     }
     let floor_ = contact_floor(hit);
     if !touch.deepest.touches || floor_ > touch.floor {
         touch.floor = floor_;
         touch.deepest = hit;
+        touch.deeper = number;
     }
     return touch;
 }
@@ -129,4 +133,13 @@ fn continuum_contact(co: ContinuumCoefficients, bend: vec2<f32>, touch: Continuu
     }
     held.bend = continuum_floored(co, held.bend, touch, slope);
     return held;
+}
+
+/// Which contact bends the cell, and how high it touches it.
+fn continuum_by(touch: ContinuumTouch) -> u32 {
+    return select(touch.deeper, touch.pusher, touch.strongest > 0.0);
+}
+
+fn continuum_height(touch: ContinuumTouch) -> f32 {
+    return select(touch.deepest.height, touch.hit.height, touch.strongest > 0.0);
 }

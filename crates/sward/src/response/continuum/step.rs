@@ -3,9 +3,11 @@
 use super::coefficients::{Coefficients, safe_limit};
 use super::lag::{LagCoefficients, cascade, from_history, look_up_offset};
 use super::patch::{Scratch, Wave, step_patch, wake_patch};
+use super::resistance::Resistance;
 use super::rest::Rest;
 use super::touch::{PatchContacts, Touched, touch_patch};
 use crate::growth::{BARE, WHOLE};
+use crate::interaction::reaction::Sums;
 use crate::lanes::{Lanes, Simd, Work};
 use crate::plan::{PatchPlan, StandPlan};
 use crate::response::each::{each, each_with};
@@ -96,6 +98,7 @@ struct TouchWork<'a> {
     stand: &'a StandModel,
     by: PatchContacts<'a>,
     ground: &'a Ground,
+    rest: &'a Rest,
     now: &'a mut [f32],
     touched: &'a mut Touched,
 }
@@ -105,7 +108,7 @@ impl Work for TouchWork<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self, _: S) -> Vec<u32> {
-        touch_patch(&self.stand.coefficients, self.stand.cells as usize, &self.by, self.ground, self.now, self.touched)
+        touch_patch(&self.stand.coefficients, self.stand.cells as usize, &self.by, self.ground, self.rest, self.now, self.touched)
     }
 }
 
@@ -155,7 +158,7 @@ impl Work for CascadeWork<'_> {
     }
 }
 
-/// rest → contact → wave and limits of one stand; returns what activation wants to know of each patch. `cells.now` is one step on
+/// rest → contact → wave and limits of one stand; returns what activation wants to know of each patch, and what is felt under each contact. `cells.now` is one step on
 /// afterwards. `ended` hears of each stage that has just ended.
 pub fn step(
     terrain: &Terrain,
@@ -164,23 +167,31 @@ pub fn step(
     cells: &mut Cells,
     lanes: Lanes,
     ended: &mut dyn FnMut(Stage),
-) -> Vec<(PatchKey, Summary)> {
+) -> (Vec<(PatchKey, Summary)>, Vec<Sums>) {
     let side = stand.cells as usize;
     reserve(cells, plan, side * side);
     let mut tasks = rest(stand, plan);
     ended(Stage::Rest);
-    each_with(with_levels(&mut tasks, cells), Touched::default, |touched, (task, now, old, ground)| {
+    let resistance = Resistance { inertia: stand.cell_inertia(), kappa: stand.species.continuum.kappa };
+    let felt = each_with(with_levels(&mut tasks, cells), Touched::default, |touched, (task, now, old, ground)| {
         if task.plan.woken {
             wake_patch(side, &task.rest, now, old);
         }
         if task.plan.woken || task.plan.edited {
             *ground = ground_of(terrain, stand, task.plan.patch);
         }
-        if !task.plan.pairs.is_empty() {
-            let by = PatchContacts { pairs: &plan.pairs[task.plan.pairs.clone()], contacts: &plan.contacts, edges: &plan.edges };
-            task.held = lanes.run(TouchWork { stand, by, ground, now, touched });
+        if task.plan.pairs.is_empty() {
+            return (0..0, Vec::new());
         }
+        let pairs = &plan.pairs[task.plan.pairs.clone()];
+        let by = PatchContacts { pairs, contacts: &plan.contacts, edges: &plan.edges, resistance };
+        task.held = lanes.run(TouchWork { stand, by, ground, rest: &task.rest, now, touched });
+        (task.plan.pairs.clone(), std::mem::take(&mut touched.felt))
     });
+    let mut sums = vec![Sums::default(); plan.contacts.len()];
+    for (pairs, felt) in felt {
+        plan.pairs[pairs].iter().zip(&felt).for_each(|(pair, felt)| sums[pair.contact as usize].merge(felt));
+    }
     ended(Stage::Contact);
     let mut summaries = Vec::new();
     for substep in 0..stand.substeps {
@@ -188,7 +199,7 @@ pub fn step(
         std::mem::swap(&mut cells.now, &mut cells.old);
     }
     ended(Stage::Wave);
-    summaries
+    (summaries, sums)
 }
 
 /// Where plants would rest in the wind of this step, patch by patch.

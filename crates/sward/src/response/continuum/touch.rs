@@ -5,6 +5,9 @@
 
 use super::bend;
 use super::coefficients::Coefficients;
+use super::resistance::Resistance;
+use super::rest::Rest;
+use crate::interaction::reaction::Sums;
 use crate::interaction::{ABREAST, Contact, ContactEdge, Hit, contacts_of_row};
 use crate::plan::ContactPair;
 use crate::state::Ground;
@@ -17,21 +20,28 @@ pub struct PatchContacts<'a> {
     pub contacts: &'a [Contact],
     /// Their edges.
     pub edges: &'a [ContactEdge],
+    /// How plants resist them.
+    pub resistance: Resistance,
 }
 
 /// Working space of one thread for contact.
 #[derive(Default)]
 pub struct Touched {
     hits: Vec<Hit>,
+    /// Of which of the patch's footprints each hit is.
+    whose: Vec<u32>,
     /// (cell, number of its hit).
     order: Vec<(u32, u32)>,
     /// β and ω where each hit is.
     cells: Vec<[f32; 4]>,
     /// Held cells, β and ω.
     held: Vec<(u32, [f32; 4])>,
+    /// What bodies feel, one for each of the patch's footprints.
+    pub felt: Vec<Sums>,
 }
 
-/// Bends the cells under bodies; `now` is the patch as it is. Returns the cells held, in order. Their past would be the same, and is not
+/// Bends the cells under bodies; `now` is the patch as it is, `rest` where it would rest. Returns the cells held, in order, and leaves what bodies feel in
+/// [`Touched::felt`]. Their past would be the same, and is not
 /// written: the wave leaves them as they are, and nothing else reads it.
 #[inline(always)]
 pub fn touch_patch(
@@ -39,12 +49,15 @@ pub fn touch_patch(
     cells: usize,
     by: &PatchContacts,
     ground: &Ground,
+    rest: &Rest,
     now: &mut [f32],
     touched: &mut Touched,
 ) -> Vec<u32> {
     let area = cells * cells;
-    let Touched { hits, order, cells: there, held } = touched;
-    find_hits(co, cells, by, ground, order, hits);
+    let Touched { hits, whose, order, cells: there, held, felt } = touched;
+    felt.clear();
+    felt.resize(by.pairs.len(), Sums::default());
+    find_hits(co, cells, by, ground, order, (hits, whose));
     // By cell; hits of a cell stay in body order.
     if !order.is_sorted() {
         order.sort_unstable();
@@ -55,11 +68,20 @@ pub fn touch_patch(
     held.clear();
     let mut first = 0;
     for same in order.chunk_by(|a, b| a.0 == b.0) {
-        let (cell, [x, z, ..]) = (same[0].0, there[first]);
+        let (cell, before) = (same[0].0, there[first]);
         first += same.len();
         let slope = ground.slope(cells, cell as usize);
-        if let Some(next) = bend::contact(co, [x, z], slope, same.iter().map(|(_, hit)| hits[*hit as usize])) {
+        if let Some(next) = bend::contact(co, [before[0], before[1]], slope, same.iter().map(|(_, hit)| hits[*hit as usize])) {
             held.push((cell, [next.bend[0], next.bend[1], next.rate[0], next.rate[1]]));
+            let [i, j] = [cell as usize % cells, cell as usize / cells];
+            let number = whose[same[next.by as usize].1 as usize] as usize;
+            let ContactPair { contact, corner } = by.pairs[number];
+            let contact = &by.contacts[contact as usize];
+            let middle = |at: usize, axis: usize| (at as i32 - corner[axis]) as f32 * contact.spacing + 0.5 * contact.spacing;
+            let root =
+                [middle(i, 0) - contact.centre[0], ground.height(cells, cell as usize) - contact.end[2], middle(j, 1) - contact.centre[1]];
+            let leaning = by.resistance.leaning(co, before, &next, rest.at(i as i32, j as i32), co.plant_height);
+            felt[number].add(&leaning.felt(root));
         }
     }
     for (plane, now) in now.chunks_exact_mut(area).enumerate() {
@@ -70,12 +92,20 @@ pub fn touch_patch(
 
 /// What bodies do to cells, body by body, and which hit is of which cell: only cells within a footprint's own bounds are looked at.
 #[inline(always)]
-fn find_hits(co: &Coefficients, cells: usize, by: &PatchContacts, ground: &Ground, order: &mut Vec<(u32, u32)>, hits: &mut Vec<Hit>) {
+fn find_hits(
+    co: &Coefficients,
+    cells: usize,
+    by: &PatchContacts,
+    ground: &Ground,
+    order: &mut Vec<(u32, u32)>,
+    (hits, whose): (&mut Vec<Hit>, &mut Vec<u32>),
+) {
     let side = cells as i32;
     let within = |low: i32, size: i32| low.clamp(0, side)..low.saturating_add(size).clamp(0, side);
     order.clear();
     hits.clear();
-    for ContactPair { contact, corner } in by.pairs {
+    whose.clear();
+    for (number, ContactPair { contact, corner }) in by.pairs.iter().enumerate() {
         let contact = &by.contacts[*contact as usize];
         let edges = &by.edges[contact.edge_first as usize..][..contact.edge_count as usize];
         let columns = within(corner[0], contact.size[0]);
@@ -89,6 +119,7 @@ fn find_hits(co: &Coefficients, cells: usize, by: &PatchContacts, ground: &Groun
                     if k < count {
                         order.push(((first + k) as u32, hits.len() as u32));
                         hits.push(hit);
+                        whose.push(number as u32);
                     }
                 });
             }

@@ -21,15 +21,22 @@ const HARMONIC_TOUCH_SIDE: u32 = 16u;
 // How fast leaves give way to the sides, over how fast a body comes through.
 const HARMONIC_PARTING: f32 = 0.5;
 
+// What a body feels of the leaves of a cell of `mass` kg over a step of `dt` s, to whose velocity it adds `change`: N along right and up, and against its
+// way through the plane.
+fn harmonic_felt(brush: HarmonicBrush, cell: vec2<f32>, change: vec2<f32>, mass: f32, dt: f32) -> vec3<f32> {
+    let push = mass / dt * change;
+    return vec3<f32>(-push, push.x * HARMONIC_PARTING * (cell.x - brush.at.x) / brush.half_size.x);
+}
+
 // V after a step that nothing holds; `around` is the sum of the four neighbours' V.
 fn harmonic_free(co: HarmonicCoefficients, here: vec2<f32>, old: vec2<f32>, around: vec2<f32>, air: vec2<f32>) -> vec2<f32> {
     let pulled = co.spread * (around - 4.0 * here) - co.restoring * (here - co.gain * air);
     return here + (1.0 - co.damping) * (here - old) + pulled;
 }
 
-// V of a held cell that would come to `free` by itself; `held`: the velocity that the body has there, and how far it holds.
-fn harmonic_taken_along(co: HarmonicCoefficients, free: vec2<f32>, here: vec2<f32>, old: vec2<f32>, held: vec3<f32>) -> vec2<f32> {
-    return free - held.z * (1.0 - co.damping) * (here - old) + 0.25 * held.z * held.z * (held.xy - here);
+// What a body that holds a cell adds to V in a step; `held`: the velocity that the body has there, and how far it holds.
+fn harmonic_taken_along(co: HarmonicCoefficients, here: vec2<f32>, old: vec2<f32>, held: vec3<f32>) -> vec2<f32> {
+    return 0.25 * held.z * held.z * (held.xy - here) - held.z * ((1.0 - co.damping) * (here - old));
 }
 
 // What a body does to a cell whose middle is `cell` from the root: the velocity it has there, and how far it holds the cell.

@@ -33,14 +33,21 @@ impl HarmonicCoefficients {
     }
 }
 
+impl HarmonicCoefficients {
+    /// Change of V that goes on from the step before.
+    pub(super) fn carried(&self, here: f32, old: f32) -> f32 {
+        (1.0 - self.damping) * (here - old)
+    }
+}
+
 /// What a body does to a cell: the velocity it has there \[m/s\], and how far it holds the cell, 0 to 1.
 pub(super) type Held = ([f32; 2], f32);
 
-/// V of a held cell that would come to `free` from `here` by a change of `carried`: it is drawn to `pushed` by a spring that just does not swing, of
-/// which the step loses `share` of the change. V that were set at once would leap, and swing on by what it leapt: a body that holds a cell now and
-/// then, such as a rotor, would pump it up without bound.
-fn taken_along(free: f32, here: f32, carried: f32, pushed: f32, share: f32) -> f32 {
-    free - share * carried + 0.25 * share * share * (pushed - here)
+/// What a body that holds a cell adds to V in a step, beside the change `carried` on from the step before: V is drawn from `here` to `pushed` by a spring
+/// that just does not swing, and loses `share` of what it carries. V that were set at once would leap, and swing on by what it leapt: a body that holds
+/// a cell now and then, such as a rotor, would pump it up without bound.
+pub(super) fn taken_along(here: f32, carried: f32, pushed: f32, share: f32) -> f32 {
+    0.25 * share * share * (pushed - here) - share * carried
 }
 
 impl Waves {
@@ -88,8 +95,8 @@ impl Waves {
                     let around =
                         self.now[row + left][part] + self.now[row + right][part] + self.now[below + i][part] + self.now[above + i][part];
                     let pulled = co.spread * (around - 4.0 * here) - co.restoring * (here - co.gain * air[part]);
-                    let free = here + (1.0 - co.damping) * (here - old) + pulled;
-                    self.old[row + i][part] = taken_along(free, here, (1.0 - co.damping) * (here - old), pushed[part], share);
+                    let carried = co.carried(here, old);
+                    self.old[row + i][part] = here + carried + pulled + taken_along(here, carried, pushed[part], share);
                 }
             }
         }

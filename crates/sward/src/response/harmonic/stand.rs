@@ -14,6 +14,7 @@ use crate::math::{clamped, lower, upper};
 use crate::placement::PlacementParameters;
 use crate::scene::{Harmonic, Layered, Layers, Place};
 use crate::specimen::Specimen;
+use crate::state::LayeredPlant;
 use crate::wind::fluid::{FluidSource, FluidState};
 use crate::wind::{Blowing, Source, WindField};
 
@@ -34,6 +35,8 @@ pub struct HarmonicModel {
     pub touch_coefficients: HarmonicCoefficients,
     /// Velocity of leaves over that of a body that brushes past; 0: none does.
     pub touch: f32,
+    /// Step, s.
+    pub dt: f32,
     /// Which notes of the past hold what.
     pub ring: Ring,
     /// Speed of waves, m/s.
@@ -70,6 +73,7 @@ impl HarmonicModel {
             touch_cell,
             touch_coefficients: kernel(touch_cell),
             touch: harmonic.touch,
+            dt: dt as f32,
             ring: Ring::new(dt),
             speed: harmonic.speed,
             settle: lower(7.0 / rate / dt as f32, 1e6) as u32 + 1,
@@ -132,6 +136,8 @@ pub struct LayeredStand {
     pub specimen: Arc<Specimen>,
     /// Plants with places of their own; none: they grow as `placement` says.
     pub places: Vec<Place>,
+    /// Mass of the leaves of a plant over its height³, kg/m³.
+    pub leaves: f32,
     /// Where plants stand.
     pub placement: PlacementParameters,
     /// Where they grow less, or not at all.
@@ -144,6 +150,14 @@ impl LayeredStand {
     /// Width and height of its largest plant, m.
     pub(crate) fn size(&self) -> [f32; 2] {
         largest(&self.specimen, &self.places, self.placement.height[1])
+    }
+
+    /// Mass of the leaves in a cell of the own plane of a plant \[kg\]: they fill an ellipse as wide and high as it is.
+    pub fn cell_mass(&self, plant: &LayeredPlant) -> f32 {
+        let scale = plant.height / upper(self.specimen.high[1], 1e-3);
+        let wide = upper(self.specimen.high[0] - self.specimen.low[0], self.specimen.high[2] - self.specimen.low[2]) * scale;
+        let cells = std::f32::consts::FRAC_PI_4 * wide * plant.height / (self.harmonic.touch_cell * self.harmonic.touch_cell);
+        self.leaves * plant.height * plant.height * plant.height / upper(cells, 1.0)
     }
 
     /// How plants are drawn.

@@ -4,6 +4,7 @@
 
 use super::stand::HarmonicModel;
 use super::touch::{TOUCH_SIDE, step_touched};
+use crate::interaction::reaction::Sums;
 use crate::plan::LayeredPlan;
 use crate::state::{LayeredState, Waves};
 use crate::wind::WindField;
@@ -15,8 +16,10 @@ pub fn air(model: &HarmonicModel, wind: &WindField) -> Vec<[f32; 2]> {
     (0..n * n).map(|cell| wind.velocity(&phases, [cell % n, cell / n])).collect()
 }
 
-/// One step; `step` is the number of steps done before it.
-pub fn step_layered(model: &HarmonicModel, plan: &LayeredPlan, state: &mut LayeredState, step: u64) {
+/// One step; `step` is the number of steps done before it. Returns what each of the plan's brushes feels: N along the plane's right and up, and against its way
+/// through the plane; as many plants as cells.
+pub fn step_layered(model: &HarmonicModel, plan: &LayeredPlan, state: &mut LayeredState, step: u64) -> Vec<Sums> {
+    let mut felt = vec![Sums::default(); plan.brushes.len()];
     let air = air(model, &plan.wind);
     state.waves.step(&model.coefficients, &air);
     let note = model.ring.present(step + 1) as usize;
@@ -32,7 +35,10 @@ pub fn step_layered(model: &HarmonicModel, plan: &LayeredPlan, state: &mut Layer
         if touched.fresh || state.touches[slot].side() == 0 {
             state.touches[slot] = Waves::new(TOUCH_SIDE as usize);
         }
-        let brushes = &plan.brushes[touched.brushes.start as usize..touched.brushes.end as usize];
-        step_touched(&mut state.touches[slot], &model.touch_coefficients, touched.wind, brushes);
+        let range = touched.brushes.start as usize..touched.brushes.end as usize;
+        let (brushes, felt) = (&plan.brushes[range.clone()], &mut felt[range]);
+        let leaves = (touched.cell_mass, model.dt);
+        step_touched(&mut state.touches[slot], &model.touch_coefficients, touched.wind, brushes, leaves, felt);
     }
+    felt
 }

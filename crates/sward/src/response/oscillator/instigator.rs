@@ -25,6 +25,10 @@ pub struct Push {
     pub outward: [f32; 2],
     /// How fast the piece's own motion may change that tilt, rad/s.
     pub pace: f32,
+    /// How far along the rod the piece touches it at that tilt, m.
+    pub lever: f32,
+    /// 1: the piece pushes it aside; 0: its tip is under the piece, whose way turns it no farther.
+    pub aside: f32,
 }
 
 /// Whether a rod from `root` along `way` stays outside the unit circle.
@@ -67,6 +71,16 @@ pub fn least_tilt(share: f32, clearance: f32, radius: f32, half: f32, rod: f32) 
         }
     }
     math::atan2(outside[0], outside[1])
+}
+
+/// From the root to where the tangent touches the ellipsoid of [`least_tilt`], m.
+#[inline(always)]
+fn tangent_length(share: f32, clearance: f32, radius: f32, half: f32) -> f32 {
+    let up = 1.0 + clearance / half;
+    let beyond = math::upper(share * share + up * up - 1.0, 0.0).sqrt();
+    // The unit vector along the tangent, as in `least_tilt`, over the squared way to the middle.
+    let (x, y) = ((up - share * beyond) * radius, (up * beyond + share) * half);
+    (x * x + y * y).sqrt() * beyond / (1.0 + beyond * beyond)
 }
 
 /// What a piece asks of a plant at `at` m from the footprint's corner, on `ground` m, `rod` m long, that faces along `facing`. `None` where
@@ -113,7 +127,8 @@ pub fn push(
     let outward = if distance > MIDDLE { [off[0] / distance, off[1] / distance] } else { ahead };
     let rising = (contact.end[2] - contact.start[2]) / co.dt;
     let narrow = math::lower(wide, contact.rise);
-    Some(Push { tilt, outward, pace: 2.0 * (speed * speed + rising * rising).sqrt() / narrow })
+    let lever = math::lower(tangent_length(share, clearance, wide, contact.rise), rod);
+    Some(Push { tilt, outward, pace: 2.0 * (speed * speed + rising * rising).sqrt() / narrow, lever, aside: 1.0 })
 }
 
 /// The same of a piece that is flat below: out over the nearest edge that does not face away from the motion.
@@ -148,5 +163,9 @@ fn push_flat(
     }
     let under = math::atan2((rod * rod - clearance * clearance).sqrt(), clearance);
     let out = math::atan(depth / clearance);
-    Some(Push { tilt: math::lower(under, out), outward, pace: speed / clearance })
+    let tilt = math::lower(under, out);
+    let (_, cosine) = math::sin_cos(tilt);
+    let lever = math::lower(clearance / math::upper(cosine, 1e-3), rod);
+    let aside = if out < under { 1.0 } else { 0.0 };
+    Some(Push { tilt, outward, pace: speed / clearance, lever, aside })
 }

@@ -8,6 +8,8 @@ struct Push {
     tilt: f32,
     outward: vec2<f32>,
     pace: f32,
+    lever: f32,
+    aside: f32,
 }
 
 fn instigator_is_clear(root: vec2<f32>, way: vec2<f32>) -> bool {
@@ -44,6 +46,14 @@ fn instigator_least_tilt(share: f32, clearance: f32, radius: f32, half_: f32, ro
     return math_atan2(outside.x, outside.y);
 }
 
+// From the root to where the tangent touches
+fn instigator_tangent_length(share: f32, clearance: f32, radius: f32, half_: f32) -> f32 {
+    let up = 1.0 + clearance / half_;
+    let beyond = sqrt(max(share * share + up * up - 1.0, 0.0));
+    let way = vec2<f32>(up - share * beyond, up * beyond + share) * vec2<f32>(radius, half_);
+    return swing_length(way) * beyond / (1.0 + beyond * beyond);
+}
+
 // What a piece asks of a plant; tilt 0 where it does not reach it
 fn instigator_push(co: OscillatorCoefficients, contact: Contact, at: vec2<f32>, ground: f32, rod: f32, facing: vec2<f32>) -> Push {
     let arm = at - contact.centre;
@@ -75,7 +85,8 @@ fn instigator_push(co: OscillatorCoefficients, contact: Contact, at: vec2<f32>, 
         outward = velocity / speed;
     }
     let rising = (contact.end.z - contact.start.z) / co.dt;
-    return Push(tilt, outward, 2.0 * sqrt(speed * speed + rising * rising) / min(wide, contact.rise));
+    let lever = min(instigator_tangent_length(share, clearance, wide, contact.rise), rod);
+    return Push(tilt, outward, 2.0 * sqrt(speed * speed + rising * rising) / min(wide, contact.rise), lever, 1.0);
 }
 
 fn instigator_push_flat(contact: Contact, at: vec2<f32>, ground: f32, rod: f32, velocity: vec2<f32>, speed: f32) -> Push {
@@ -102,5 +113,8 @@ fn instigator_push_flat(contact: Contact, at: vec2<f32>, ground: f32, rod: f32, 
         return Push();
     }
     let under = math_atan2(sqrt(rod * rod - clearance * clearance), clearance);
-    return Push(min(under, math_atan(depth / clearance)), outward, speed / clearance);
+    let out = math_atan(depth / clearance);
+    let tilt = min(under, out);
+    let lever = min(clearance / max(math_sin_cos(tilt).y, 1e-3), rod);
+    return Push(tilt, outward, speed / clearance, lever, select(0.0, 1.0, out < under));
 }

@@ -36,11 +36,12 @@ pub use poses::Poses;
 pub use rebase::rebase;
 pub use step::{ground_of, is_census, sizes, step as step_stand};
 pub use swing::{Own, Record, curved, limited};
-pub use touch::{Plant, touch};
+pub use touch::{Plant, Touched, touch};
 
 /// The functions of this response in WGSL, in the order they need each other; they need `math`, `wind`, `contact` and
 /// [`super::oscillation`] before them, and from the host `air_load(index: u32) -> f32`.
-pub const WGSL: [&str; 5] = [
+pub const WGSL: [&str; 6] = [
+    crate::interaction::reaction::WGSL,
     include_str!("swing.wgsl"),
     include_str!("air.wgsl"),
     include_str!("instigator.wgsl"),

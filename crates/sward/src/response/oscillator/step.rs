@@ -7,9 +7,10 @@ use super::model::{OscillatorCoefficients, OscillatorModel};
 use super::rebase::rebase;
 use super::swing::{Own, Record};
 use super::touch::{Plant, touch};
+use crate::interaction::reaction::{Felt, Sums};
 use crate::math;
 use crate::placement::{self, Growing};
-use crate::plan::{PatchPlan, StandPlan};
+use crate::plan::{ContactPair, PatchPlan, StandPlan};
 use crate::response::continuum::{self, NODE_CELLS};
 use crate::response::each::each;
 use crate::response::{Stage, StandModel};
@@ -53,7 +54,7 @@ fn wind_of<'a>(stand: &StandModel, plan: &'a StandPlan, patch: PatchKey) -> (&'a
     (wind, wind.patch_phases(patch, stand.cells / NODE_CELLS))
 }
 
-/// wind → contact; returns what activation wants to know of each patch. `before` counts the steps done before this one. `ended` hears of each stage
+/// wind → contact; returns what activation wants to know of each patch, and what is felt under each contact. `before` counts the steps done before this one. `ended` hears of each stage
 /// that has just ended. Only cells in reach of bodies are looked at.
 pub fn step(
     terrain: &Terrain,
@@ -63,7 +64,7 @@ pub fn step(
     cells: &mut Cells,
     before: u64,
     ended: &mut dyn FnMut(Stage),
-) -> Vec<(PatchKey, Summary)> {
+) -> (Vec<(PatchKey, Summary)>, Vec<Sums>) {
     let co = &model.coefficients;
     reserve(cells, plan, sizes(model, stand.cells));
     if let Some(former) = model.former.as_ref().filter(|_| plan.rebase) {
@@ -78,9 +79,9 @@ pub fn step(
         (patch.patch, Summary { largest, ..Summary::default() })
     });
     ended(Stage::Rest);
-    contact(terrain, stand, model, plan, cells, (before as u32).wrapping_add(1));
+    let felt = contact(terrain, stand, model, plan, cells, (before as u32).wrapping_add(1));
     ended(Stage::Contact);
-    summaries
+    (summaries, felt)
 }
 
 /// The motions of all awake plants go on by other numbers than the former ones.
@@ -95,8 +96,8 @@ fn rebase_all(terrain: &Terrain, stand: &StandModel, former: &OscillatorCoeffici
     });
 }
 
-/// Patches that wake, fade, or lie in reach of bodies; `now` counts the steps done after this one.
-fn contact(terrain: &Terrain, stand: &StandModel, model: &OscillatorModel, plan: &StandPlan, cells: &mut Cells, now: u32) {
+/// Patches that wake, fade, or lie in reach of bodies; `now` counts the steps done after this one. Returns what is felt under each contact.
+fn contact(terrain: &Terrain, stand: &StandModel, model: &OscillatorModel, plan: &StandPlan, cells: &mut Cells, now: u32) -> Vec<Sums> {
     let co = &model.coefficients;
     let blocks = Blocks::of(plan, stand.cells);
     let Cells { now: records, old: air, ground, .. } = cells;
@@ -108,7 +109,7 @@ fn contact(terrain: &Terrain, stand: &StandModel, model: &OscillatorModel, plan:
         rest = others;
         work.extend(slots[patch.slot as usize].take().map(|slot| (patch, own, slot)));
     }
-    each(work, |(patch, own, (records, ground))| {
+    let felt = each(work, |(patch, own, (records, ground))| {
         if patch.woken {
             records.fill(0.0);
         }
@@ -121,8 +122,13 @@ fn contact(terrain: &Terrain, stand: &StandModel, model: &OscillatorModel, plan:
         let (wind, phases) = wind_of(stand, plan, patch.patch);
         let air = Air { co, levels: air, around: patch.around, weights: patch.weights, patch_side: stand.patch_side as f32 };
         let touching = Touching { stand, co, plan, pairs: &blocks, patch, ground, air: &air, wind, phases: &phases, now };
-        own.iter().for_each(|block| touching.block(block, records));
+        let mut felt = Vec::new();
+        own.iter().for_each(|block| touching.block(block, records, &mut felt));
+        felt
     });
+    let mut sums = vec![Sums::default(); plan.contacts.len()];
+    felt.into_iter().flatten().for_each(|(contact, felt)| sums[contact as usize].merge(&felt));
+    sums
 }
 
 /// Steps in which all awake patches drop the records of plants long at rest: far apart, and often enough that no count of steps wraps.
@@ -157,19 +163,30 @@ struct Touching<'a> {
 }
 
 impl Touching<'_> {
-    fn block(&self, block: &Block, records: &mut [f32]) {
+    fn block(&self, block: &Block, records: &mut [f32], felt: &mut Vec<(u32, Sums)>) {
         let (side, area) = (self.stand.cells, (self.stand.cells * self.stand.cells) as usize);
+        let pairs = &self.pairs.pairs[block.first as usize..][..block.count as usize];
+        let first = felt.len();
+        felt.extend(pairs.iter().map(|pair| (pair.contact, Sums::default())));
         for k in 0..BLOCK * BLOCK {
             let cell = [block.corner[0] + k % BLOCK, block.corner[1] + k / BLOCK];
             let index = (cell[1] * side + cell[0]) as usize;
-            if let Some(next) = self.cell(block, cell, index, records, area) {
+            if let Some((next, felt_there)) = self.cell(pairs, cell, index, records, area) {
                 next.store(records, area, index);
+                felt_there.into_iter().for_each(|(number, of_plant)| felt[first + number as usize].1.add(&of_plant));
             }
         }
     }
 
-    fn cell(&self, block: &Block, cell: [u32; 2], index: usize, records: &[f32], area: usize) -> Option<Record> {
-        let pairs = &self.pairs.pairs[block.first as usize..][..block.count as usize];
+    /// The record of a cell's plant if bodies change it, and what which of them feels.
+    fn cell(
+        &self,
+        pairs: &[ContactPair],
+        cell: [u32; 2],
+        index: usize,
+        records: &[f32],
+        area: usize,
+    ) -> Option<(Record, Option<(u32, Felt)>)> {
         let over =
             |corner: [i32; 2], size: [i32; 2]| (0..2).all(|axis| (0..size[axis]).contains(&(cell[axis] as i32).wrapping_sub(corner[axis])));
         if !pairs.iter().any(|pair| over(pair.corner, self.plan.contacts[pair.contact as usize].size)) {
@@ -183,16 +200,25 @@ impl Touching<'_> {
         let off = [0, 1].map(|axis: usize| plant.root[axis] - (cell[axis] as f32 + 0.5) * spacing);
         let ground = self.ground.height(side, index) + slope[0] * off[0] + slope[1] * off[1];
         let (sine, cosine) = math::sin_cos(plant.yaw);
-        let pushes = pairs.iter().filter_map(|pair| {
+        let from_corner = |pair: &ContactPair| [0, 1].map(|axis: usize| plant.root[axis] - pair.corner[axis] as f32 * spacing);
+        let pushes = pairs.iter().enumerate().filter_map(|(number, pair)| {
             let contact = &self.plan.contacts[pair.contact as usize];
-            let at = [0, 1].map(|axis| plant.root[axis] - pair.corner[axis] as f32 * spacing);
+            let at = from_corner(pair);
             let edges = self.plan.edges[contact.edge_first as usize..][..contact.edge_count as usize].iter().copied();
             let found = over(pair.corner, contact.size).then(|| push(self.co, contact, edges, at, ground, plant.height, [cosine, sine]));
-            Some((found??, contact.stays))
+            Some((number as u32, found??, contact.stays))
         });
         let record = Record::load(records, area, index);
         let own = Own::of(self.co, placement::variety(placement, self.patch.patch, index as u32), plant.height);
         let wind = self.air.at(plant.root, 0.0, || self.wind.velocity_local(self.phases, plant.root));
-        touch(self.co, &Plant { own, record, wind }, pushes, self.now)
+        let inertia = self.stand.inertia * plant.height * plant.height * plant.height;
+        let touched = touch(self.co, &Plant { own, record, wind, inertia, length: plant.height }, pushes, self.now)?;
+        let felt = touched.leaning.map(|(number, leaning)| {
+            let pair = &pairs[number as usize];
+            let contact = &self.plan.contacts[pair.contact as usize];
+            let [x, z] = from_corner(pair);
+            (number, leaning.felt([x - contact.centre[0], ground - contact.end[2], z - contact.centre[1]]))
+        });
+        Some((touched.record, felt))
     }
 }

@@ -125,6 +125,18 @@ impl Record {
         [share * (cosine * x - sine * z), share * (sine * x + cosine * z)]
     }
 
+    /// How fast the deviation changes at step `now`, rad/s: as fast as the body moves that holds it then.
+    #[inline(always)]
+    pub(super) fn rate_at(&self, co: &OscillatorCoefficients, own: &Own, now: u32) -> [f32; 2] {
+        let [x, z] = self.deviation;
+        let size = (x * x + z * z).sqrt();
+        let steps = math::upper(self.steps_to(now) as f32, 0.0);
+        let [_, swung] = advance(size, self.own_rate(own, size), own.gamma, own.omega_squared, steps * co.dt);
+        let rate = if steps > 0.0 { swung } else { self.rate };
+        let scale = rate / math::upper(size, SHORTEST);
+        [x * scale, z * scale]
+    }
+
     /// The same motion as it is `seconds` after it was let go, as of step `now`.
     #[inline(always)]
     pub(super) fn later(&self, own: &Own, seconds: f32, now: u32) -> Self {

@@ -88,6 +88,17 @@ fn swing_at(co: OscillatorCoefficients, own: SwingOwn, record: SwingRecord, now:
     return share * vec2<f32>(turned.y * d.x - turned.x * d.y, turned.x * d.x + turned.y * d.y);
 }
 
+// How fast the deviation changes at step `now`
+fn swing_rate_at(co: OscillatorCoefficients, own: SwingOwn, record: SwingRecord, now: u32) -> vec2<f32> {
+    let size = swing_length(record.deviation);
+    let steps = max(f32(swing_steps_to(record, now)), 0.0);
+    var rate = record.rate;
+    if steps > 0.0 {
+        rate = oscillation_advance(size, swing_own_rate(own, record, size), own.gamma, own.omega_squared, steps * co.dt).y;
+    }
+    return record.deviation * (rate / max(size, SWING_SHORTEST));
+}
+
 // The same motion `seconds` after it was let go, as of step `now`
 fn swing_later(own: SwingOwn, record: SwingRecord, seconds: f32, now: u32) -> SwingRecord {
     let size = max(swing_length(record.deviation), SWING_SHORTEST);

@@ -1,4 +1,4 @@
-// What a step does to a plant within reach of bodies. Twin: touch.rs, where everything is explained. Needs instigator.wgsl.
+// What a step does to a plant within reach of bodies. Twin: touch.rs, where everything is explained. Needs instigator.wgsl, interaction/reaction.wgsl.
 
 const TOUCH_UPRIGHT: f32 = 0.05;
 const TOUCH_OPPOSED: f32 = 0.2;
@@ -6,6 +6,9 @@ const TOUCH_OPPOSED: f32 = 0.2;
 struct Gathered {
     strongest: f32,
     strongest_outward: vec2<f32>,
+    number: u32, // of that push
+    lever: f32,
+    aside: f32,
     pace: f32,
     sum: vec2<f32>,
     total: f32,
@@ -14,19 +17,27 @@ struct Gathered {
 struct Touched {
     changed: bool,
     record: SwingRecord,
+    held: bool,
+    by: u32, // number of the push
+    leaning: Leaning,
 }
 
 struct TouchPlant {
     own: SwingOwn,
     record: SwingRecord,
     wind: vec2<f32>,
+    inertia: f32,
+    length: f32,
 }
 
-fn touch_add(gathered: Gathered, push: Push) -> Gathered {
+fn touch_add(gathered: Gathered, push: Push, number: u32) -> Gathered {
     var g = gathered;
     if push.tilt > g.strongest {
         g.strongest = push.tilt;
         g.strongest_outward = push.outward;
+        g.number = number;
+        g.lever = push.lever;
+        g.aside = push.aside;
     }
     g.pace = max(g.pace, push.pace);
     g.sum += push.tilt * push.outward;
@@ -60,8 +71,9 @@ fn touch_is_empty(record: SwingRecord) -> bool {
 }
 
 fn touch_held(co: OscillatorCoefficients, plant: TouchPlant, by: Gathered, before: vec2<f32>, free: vec2<f32>, now: u32) -> Touched {
+    let not = Touched(false, plant.record, false, 0u, Leaning());
     if by.strongest <= 0.0 {
-        return Touched(false, plant.record);
+        return not;
     }
     let lean = swing_length(free);
     var towards = touch_outward(by);
@@ -71,7 +83,7 @@ fn touch_held(co: OscillatorCoefficients, plant: TouchPlant, by: Gathered, befor
     let reached = max(dot(before, towards), 0.0) + co.pace + by.pace * co.dt;
     let hold = min(min(by.strongest, reached), SWING_HALF_PI);
     if hold < dot(free, towards) {
-        return Touched(false, plant.record);
+        return not;
     }
     var deviation = hold * towards - plant.wind;
     var size = swing_length(deviation);
@@ -85,7 +97,13 @@ fn touch_held(co: OscillatorCoefficients, plant: TouchPlant, by: Gathered, befor
         turn = math_atan2(before.x * towards.y - before.y * towards.x, dot(before, towards));
     }
     let rate = (hold - leant) / co.dt * (dot(towards, deviation) / size);
-    return Touched(true, SwingRecord(deviation, rate, swing_stamp_held(now, turn / co.pace)));
+    let was = dot(swing_rate_at(co, plant.own, plant.record, now - 1u), towards);
+    let going = (hold - dot(before, towards)) / co.dt;
+    let pull = (going - was) / co.dt + 2.0 * plant.own.gamma * going + plant.own.omega_squared * dot(deviation, towards);
+    let fell = hold > REACTION_CRUSHED && leant <= REACTION_CRUSHED;
+    let energy = 0.5 * plant.inertia * plant.own.omega_squared * size * size;
+    let leaning = Leaning(hold, towards, max(plant.inertia * pull, 0.0), by.lever, plant.length, by.aside, select(0.0, energy, fell));
+    return Touched(true, SwingRecord(deviation, rate, swing_stamp_held(now, turn / co.pace)), true, by.number, leaning);
 }
 
 // The record after the step that makes `now` steps; `stays` is the share of the step for which `leaving` are there
@@ -97,11 +115,15 @@ fn touch_step(co: OscillatorCoefficients, given: TouchPlant, staying: Gathered, 
         plant.record = swing_later(plant.own, let_go.record, (1.0 - stays) * co.dt, now);
     }
     let held = touch_held(co, plant, staying, before, touch_shown(co, plant, now), now);
-    if held.changed || let_go.changed {
-        return Touched(true, held.record);
+    if held.changed {
+        return held;
     }
-    if swing_is_aged(co, plant.record, now) && !touch_is_empty(plant.record) {
-        return Touched(true, SwingRecord(vec2<f32>(0.0), 0.0, 0u));
+    if let_go.changed {
+        return Touched(true, plant.record, true, let_go.by, let_go.leaning);
     }
-    return Touched(false, plant.record);
+    let aged = swing_is_aged(co, plant.record, now) && !touch_is_empty(plant.record);
+    if aged {
+        plant.record = SwingRecord(vec2<f32>(0.0), 0.0, 0u);
+    }
+    return Touched(aged, plant.record, false, 0u, Leaning());
 }

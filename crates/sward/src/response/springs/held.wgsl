@@ -2,14 +2,16 @@
 // clear vertex by vertex. Twins: sheet.rs, lengths.rs, wind.rs, recover.rs. Needs math, vector, sheet, lengths, recover.
 // The host declares `fn springs_word(k: u32) -> u32` and `fn springs_put_word(k: u32, word: u32)`, of SPRINGS_ROOM words a vertex.
 
-// Of a vertex: five places, by which way it left a body, and what it lies in.
-const SPRINGS_ROOM: u32 = 17u;
+// Of a vertex: six places, by which way it left a body, and what it lies in.
+const SPRINGS_ROOM: u32 = 20u;
 // As it was left; in the wind; in this step; at its beginning, or a step later; while others change.
 const SPRINGS_STORED: u32 = 0u;
 const SPRINGS_STANDING: u32 = 1u;
 const SPRINGS_NOW: u32 = 2u;
 const SPRINGS_BEFORE: u32 = 3u;
 const SPRINGS_SPARE: u32 = 4u;
+// As the step began.
+const SPRINGS_BEGUN: u32 = 5u;
 // What a moment has come to at first: nobody needs the stored one any more.
 const SPRINGS_TRIED: u32 = 0u;
 
@@ -27,20 +29,20 @@ fn springs_put(sheet: u32, vertex: u32, at: vec3<f32>) {
 
 // By which way a vertex left a body, 0: it touches none.
 fn springs_left(vertex: u32) -> u32 {
-    return springs_word(vertex * SPRINGS_ROOM + 15u);
+    return springs_word(vertex * SPRINGS_ROOM + 18u);
 }
 
 fn springs_put_left(vertex: u32, way: u32) {
-    springs_put_word(vertex * SPRINGS_ROOM + 15u, way);
+    springs_put_word(vertex * SPRINGS_ROOM + 18u, way);
 }
 
 // Whether a vertex is trodden down (1), and whether it lies in a body (2).
 fn springs_lying(vertex: u32) -> u32 {
-    return springs_word(vertex * SPRINGS_ROOM + 16u);
+    return springs_word(vertex * SPRINGS_ROOM + 19u);
 }
 
 fn springs_put_lying(vertex: u32, lying: u32) {
-    springs_put_word(vertex * SPRINGS_ROOM + 16u, lying);
+    springs_put_word(vertex * SPRINGS_ROOM + 19u, lying);
 }
 
 fn springs_vertices(co: SpringsCoefficients) -> u32 {

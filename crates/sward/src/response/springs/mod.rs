@@ -23,6 +23,7 @@ mod lay;
 mod lengths;
 mod model;
 pub mod pool;
+pub mod pressed;
 mod push;
 mod recover;
 mod sheet;
@@ -56,8 +57,15 @@ pub const WGSL: [&str; 6] = [
 
 /// The functions of a step in WGSL; they need [`WGSL`] and [`crate::interaction::distance_map::WGSL`] before them, and from the host
 /// `springs_map(index: u32) -> DistanceMapHead` and a billboard's own words: `springs_word(k: u32) -> u32`, `springs_put_word(k: u32, word: u32)`.
-pub const STEP_WGSL: [&str; 5] =
-    [include_str!("held.wgsl"), include_str!("sweep.wgsl"), include_str!("push.wgsl"), include_str!("lay.wgsl"), include_str!("step.wgsl")];
+pub const STEP_WGSL: [&str; 7] = [
+    include_str!("held.wgsl"),
+    include_str!("sweep.wgsl"),
+    include_str!("push.wgsl"),
+    include_str!("lay.wgsl"),
+    include_str!("step.wgsl"),
+    crate::interaction::reaction::WGSL,
+    include_str!("pressed.wgsl"),
+];
 
 /// Words of a billboard's own that a step in WGSL needs for each vertex.
-pub const ROOM: u64 = 17;
+pub const ROOM: u64 = 20;

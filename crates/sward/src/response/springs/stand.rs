@@ -2,10 +2,12 @@
 
 use super::model::SpringsModel;
 use super::pool::{load, store, words};
+use super::pressed::felt;
 use super::push::Maps;
 use super::sheet::{Sheet, SheetRoot};
 use super::step::{HeldSheet, step};
 use super::wind::pose;
+use crate::interaction::reaction::{Felt, Sums};
 use crate::placement::{self, Growing};
 use crate::plan::{ActiveSheet, StandPlan};
 use crate::response::continuum::NODE_CELLS;
@@ -38,7 +40,11 @@ pub fn target_of(model: &SpringsModel, root: &SheetRoot, wind: &WindField, phase
     pose(&model.coefficients, root, [bend(-1.0), bend(1.0)])
 }
 
-/// One step of all sheets: `texels` are of all maps. `ended` hears of the stage that has just ended.
+/// A sheet after a step, and which of its bodies feels what.
+type Moved = (HeldSheet, Option<(u32, Felt)>);
+
+/// One step of all sheets: `texels` are of all maps. Returns what activation wants to know of each patch, and what each of `plan.sheets.heads` feels. `ended` hears
+/// of the stage that has just ended.
 pub fn step_stand(
     terrain: &Terrain,
     stand: &StandModel,
@@ -47,7 +53,7 @@ pub fn step_stand(
     texels: &[[f32; 4]],
     cells: &mut Cells,
     ended: &mut dyn FnMut(Stage),
-) -> Vec<(PatchKey, Summary)> {
+) -> (Vec<(PatchKey, Summary)>, Vec<Sums>) {
     let co = &model.coefficients;
     let each_words = words(co);
     let places = plan.sheets.active.iter().map(|sheet| sheet.place as usize + 1).max().unwrap_or(0);
@@ -55,7 +61,7 @@ pub fn step_stand(
         cells.sheets.resize(places * each_words, 0);
     }
     let (stored, grown) = (&cells.sheets, &cells.grown);
-    let moved: Vec<Option<HeldSheet>> = each(plan.sheets.active.iter().collect(), |sheet: &ActiveSheet| {
+    let moved: Vec<Option<Moved>> = each(plan.sheets.active.iter().collect(), |sheet: &ActiveSheet| {
         let patch = &plan.patches[sheet.patch as usize];
         let root = root_of(terrain, stand, model, grown.get(&patch.patch).map(|map| &map[..]), patch.patch, sheet.cell)?;
         let phases = plan.wind.patch_phases(patch.patch, stand.cells / NODE_CELLS);
@@ -65,15 +71,21 @@ pub fn step_stand(
             false => load(co, &root, &stored[sheet.place as usize * each_words..][..each_words]),
         };
         let maps = Maps { heads: &plan.sheets.heads[sheet.heads.start as usize..sheet.heads.end as usize], texels };
+        let before = held.shown(co, &root, &target);
         step(co, &root, &maps, &target, sheet.heading, &mut held);
+        let stiffness = stand.inertia * root.length * root.length * root.length * stand.species.continuum.kappa;
+        let touched = held.steps == 0 && !maps.heads.is_empty();
+        let felt = if touched { felt(co, &root, &maps, [&before, &held.stored, &target], &held.faces, stiffness) } else { None };
         held.steps = held.steps.saturating_add(sheet.hurry);
-        Some(held)
+        Some((held, felt))
     });
+    let mut sums = vec![Sums::default(); plan.sheets.heads.len()];
     for (sheet, held) in plan.sheets.active.iter().zip(moved) {
-        if let Some(held) = held {
+        if let Some((held, felt)) = held {
+            felt.iter().for_each(|(head, felt)| sums[(sheet.heads.start + head) as usize].add(felt));
             store(co, &held, &mut cells.sheets[sheet.place as usize * each_words..][..each_words]);
         }
     }
     ended(Stage::Contact);
-    plan.patches.iter().map(|patch| (patch.patch, Summary::default())).collect()
+    (plan.patches.iter().map(|patch| (patch.patch, Summary::default())).collect(), sums)
 }

@@ -44,6 +44,7 @@ impl World {
             return false;
         }
         self.note(|| Input::RemoveBody(body));
+        self.leave(body);
         self.leave_camera(body);
         let name = std::mem::take(&mut self.scene.interactors[body].name);
         let stays = |source: &WindSource| matches!(source, WindSource::Footprint(print) if print.follow.as_ref() == Some(&name));

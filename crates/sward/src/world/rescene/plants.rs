@@ -137,7 +137,7 @@ fn same_plants(known: &LayeredStand, stand: &LayeredStand, changes: Changes) -> 
 }
 
 /// Which stand of a list each one of another list is: by name, else by place.
-fn same_stands(old: &[Stand], new: &[Stand]) -> Vec<Option<usize>> {
+pub(super) fn same_stands(old: &[Stand], new: &[Stand]) -> Vec<Option<usize>> {
     let names = |stands: &[Stand]| -> Vec<String> { stands.iter().map(Stand::label).collect() };
     let (old, new) = (names(old), names(new));
     let renamed = |index: usize| old.get(index).filter(|name| !new.contains(name)).map(|_| index);

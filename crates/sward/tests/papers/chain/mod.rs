@@ -7,6 +7,7 @@ mod lean_and_sway;
 mod pendulum;
 mod planted;
 mod twin;
+mod work;
 
 use sward::response::chain::{Blade, ChainCoefficients, ChainState, DragLaw, Frame, calibrate, joints, step};
 use sward::scene::Species;

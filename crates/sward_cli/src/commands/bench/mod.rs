@@ -141,7 +141,7 @@ fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Re
     let [meshes, flows] = [!world.model.layered.is_empty(), !world.model.fluids.is_empty()];
     let shown = [felt, felt || deformed, continuum, continuum, by_blade, by_blade, meshes, flows];
     let (mut spent, mut begun) = ([0.0; 8], Instant::now());
-    let summaries = world.respond_in_stages(&plan, &mut |stage| {
+    let reports = world.respond_in_stages(&plan, &mut |stage| {
         spent[stage as usize] += 1e3 * begun.elapsed().as_secs_f64();
         begun = Instant::now();
     });
@@ -150,7 +150,7 @@ fn step(world: &mut World, backend: &mut Backend<'_>, stages: &mut Stages) -> Re
             stages.add(name, milliseconds);
         }
     }
-    stages.time("file summaries", || world.finish(summaries));
+    stages.time("file reports", || world.finish(reports));
     Ok(())
 }
 
@@ -159,8 +159,8 @@ fn pair_of(world: &mut World, triad: &mut Triad, step_first: bool) -> [f64; 2] {
     let mut response = || {
         let plan = world.plan();
         let bytes = 48.0 * report::cells(world) as f64;
-        let (seconds, summaries) = measure::seconds(|| world.respond(&plan));
-        world.finish(summaries);
+        let (seconds, reports) = measure::seconds(|| world.respond(&plan));
+        world.finish(reports);
         bytes / seconds
     };
     let mut bare = || triad.run();

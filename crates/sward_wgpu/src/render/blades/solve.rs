@@ -11,7 +11,7 @@ use sward::wind::WindField;
 use crate::compute::CELLS_WGSL;
 use crate::compute::air::AirTexels;
 use crate::compute::buffers::CellBuffers;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Program};
 use crate::render::prepare::{Bending, Shared};
 use crate::stopwatch::Stopwatch;
 
@@ -78,7 +78,7 @@ impl BladeBuffers {
 /// The pipelines.
 pub struct SolvePass {
     /// Of each [`Bending`]. Made when first asked for, as are the pipelines.
-    modules: [OnceLock<wgpu::ShaderModule>; 4],
+    programs: [OnceLock<Program>; 4],
     /// Of all passes that solve, likewise.
     layouts: [(wgpu::BindGroupLayout, wgpu::PipelineLayout); 2],
     /// Each of [`ENTRIES`], of a continuum at full and at half precision, then of each other [`Bending`].
@@ -103,7 +103,7 @@ pub struct Solving<'a> {
 impl SolvePass {
     /// Builds the pipelines.
     pub fn new(gpu: &Gpu) -> Self {
-        let finish = pipeline(gpu, None, &module(gpu, "blades, counted", finish()), "blades_finish", &[]);
+        let finish = Program::new("blades, counted", finish()).pipeline(gpu, None, "blades_finish", &[]);
         let layouts = [12, 13].map(|bindings| {
             let layout = solving_layout(gpu, bindings);
             let pipelines = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -113,7 +113,7 @@ impl SolvePass {
             });
             (layout, pipelines)
         });
-        Self { modules: Default::default(), layouts, solve: Default::default(), finish }
+        Self { programs: Default::default(), layouts, solve: Default::default(), finish }
     }
 
     /// Solves what a picture shows of a stand.
@@ -182,8 +182,8 @@ impl SolvePass {
         // Continuum at full and at half precision, then the others.
         let kind = if bending == Bending::Continuum { half } else { 1 + bending as usize };
         let make = || {
-            let module = self.modules[bending as usize].get_or_init(|| module(gpu, "blades", assembled(bending)));
-            pipeline(gpu, Some(pipelines), module, ENTRIES[which], &[("half_precision", half as f64)])
+            let program = self.programs[bending as usize].get_or_init(|| Program::new("blades", assembled(bending)));
+            program.pipeline(gpu, Some(pipelines), ENTRIES[which], &[("half_precision", half as f64)])
         };
         let pipeline = self.solve[kind][which].get_or_init(make);
         let wind = of.wind.block(of.prepare.placement.cells / NODE_CELLS);
@@ -215,10 +215,6 @@ impl SolvePass {
     }
 }
 
-fn module(gpu: &Gpu, label: &str, text: String) -> wgpu::ShaderModule {
-    gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source: wgpu::ShaderSource::Wgsl(text.into()) })
-}
-
 /// The first bindings of [`assembled`]: passes that use few of them take the same groups as those that use all.
 fn solving_layout(gpu: &Gpu, bindings: u32) -> wgpu::BindGroupLayout {
     let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
@@ -234,23 +230,6 @@ fn solving_layout(gpu: &Gpu, bindings: u32) -> wgpu::BindGroupLayout {
     let entry = |binding| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty: kind(binding), count: None };
     let entries: Vec<_> = (0..bindings).map(entry).collect();
     gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("blades"), entries: &entries })
-}
-
-fn pipeline(
-    gpu: &Gpu,
-    layout: Option<&wgpu::PipelineLayout>,
-    module: &wgpu::ShaderModule,
-    entry: &str,
-    constants: &[(&str, f64)],
-) -> wgpu::ComputePipeline {
-    gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some(entry),
-        layout,
-        module,
-        entry_point: Some(entry),
-        compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
-        cache: None,
-    })
 }
 
 fn group(

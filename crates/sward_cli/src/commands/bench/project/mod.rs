@@ -109,8 +109,8 @@ fn count(world: &mut World, (warm_up, steps): (u32, u32), progress: &mut Progres
             rows[at].invocations += share(pass.invocations);
             rows[at].bytes += share(pass.bytes);
         }
-        let summaries = world.respond(&plan);
-        world.finish(summaries);
+        let reports = world.respond(&plan);
+        world.finish(reports);
         progress.advance();
     }
     rows
