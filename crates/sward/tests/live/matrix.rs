@@ -292,7 +292,7 @@ fn on_cpu(world: &mut World, last: u64) {
 
 /// Runs all cells, the controls on the CPU; prints how many hold and returns what does not. `run` steps a world, which it sees for the first time, until
 /// a step. Unless `every` wind meets every shape, each shape meets one wind.
-fn all(run: &mut dyn FnMut(&mut World, u64), every: bool) -> Vec<String> {
+pub(crate) fn all(run: &mut dyn FnMut(&mut World, u64), every: bool) -> Vec<String> {
     let (stands, refused) = stands();
     println!("{} stands; refused, with reasons:", stands.len());
     refused.iter().for_each(|why| println!("  {}", why.replace('\n', ";")));

@@ -13,11 +13,14 @@ fn open(name: &str, scene: &str) -> Result<Desk, Failed> {
     Desk::open(name, &[&[&*scenes(scene)?], &USUAL[..]].concat(), &[])
 }
 
-/// A shipped scene with few plants in the picture, as a file: all others move as ever.
+/// A shipped scene with few plants, as a file.
 pub(crate) fn scenes(name: &str) -> Result<String, Failed> {
     let Some(shipped) = sward_scenes::shipped(name) else { return Ok(name.to_owned()) };
     let mut scene = sward::scene::Scene::parse(shipped.text, name)?;
-    (scene.budget.visible_plants, scene.budget.visible_blades) = (24_000, 24_000);
+    (scene.budget.visible_plants, scene.budget.visible_blades) = (8_000, 8_000);
+    for stand in &mut scene.stands {
+        stand.cells = Some(48);
+    }
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("few plants");
     std::fs::create_dir_all(&folder)?;
     let path = folder.join(format!("{name}.ron"));
@@ -130,7 +133,7 @@ pub(crate) fn edits() -> Result<(), Failed> {
 /// The mouse takes a body and drags it; it stays where it was put, and plants lie where it went.
 pub(crate) fn hand() -> Result<(), Failed> {
     let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("in one's hand.ron");
-    let text = "(version: 1, stands: [(species: Meadow)], interactors: [(name: \"ball\", shape: Sphere(radius: 0.5), path: Still(at: (0, 7)))], camera: (eye: (0, 2.6, 0), target: (0, 0.3, 7)), budget: (visible_plants: 24000))";
+    let text = "(version: 1, stands: [(species: Meadow)], interactors: [(name: \"ball\", shape: Sphere(radius: 0.5), path: Still(at: (0, 7)))], camera: (eye: (0, 2.6, 0), target: (0, 0.3, 7)), budget: (visible_plants: 8000))";
     std::fs::write(&path, text)?;
     let mut desk = open("hand", &path.to_string_lossy())?;
     let still = desk.steps(30)?;

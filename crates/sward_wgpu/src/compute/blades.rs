@@ -32,8 +32,6 @@ pub struct ChainUniform {
     pub virtual_side: u32,
     /// Blades of a patch.
     pub blades: u32,
-    /// 1: every blade of a patch with room is held.
-    pub all: u32,
     /// Cells along a patch side.
     pub cells: u32,
     /// Step, s.
@@ -44,6 +42,8 @@ pub struct ChainUniform {
     pub planes: u32,
     /// Where the list of busy blades begins behind the summaries, words.
     pub busy: u32,
+    /// Keeps the size a multiple of 16 bytes.
+    pub unused: u32,
     /// [`sward::response::chain::Steady::values`].
     pub steady: [[f32; 2]; SPEEDS * MOST_SEGMENTS],
 }
@@ -57,12 +57,12 @@ impl ChainUniform {
             coefficients: chain.coefficients,
             virtual_side: chain.virtual_side,
             blades: chain.blades_of_patch(stand.cells),
-            all: u32::from(chain.all),
             cells: stand.cells,
             dt: dt as f32,
             patch_side: stand.patch_side as f32,
             planes: 6 * solids as u32,
             busy: SUMMARY_WORDS * patches as u32 + WORDS as u32 * solids as u32,
+            unused: 0,
             steady,
         }
     }
@@ -76,7 +76,7 @@ pub struct ChainPatch {
     pub slot: u32,
     /// Where its blades are, or none.
     pub lag: u32,
-    /// 1: it wakes; 2: it is the tiled wind patch; 4: its blades are new; 8: they are handed back.
+    /// 1: it wakes; 2: it is the tiled wind patch; 4: its blades are new; 8: they are handed back; 16: all of its blades are held.
     pub flags: u32,
     /// Its place in the summaries.
     pub entry: u32,
@@ -94,16 +94,16 @@ pub struct ChainPatch {
     pub pixels: f32,
     /// Slots of the 3×3 patches around it, or none.
     pub around: [u32; 9],
-    /// Keeps the size a multiple of 16 bytes.
-    pub unused: u32,
+    /// Segments of its blades: the coefficients' own, where no driver takes it for a constant.
+    pub segments: u32,
 }
 
-fn entry((number, patch): (usize, &PatchPlan)) -> ChainPatch {
+fn entry((number, patch): (usize, &PatchPlan), (segments, all): (u32, bool)) -> ChainPatch {
     let flag = |on: bool, bit: u32| if on { bit } else { 0 };
     ChainPatch {
         slot: patch.slot,
         lag: patch.lag,
-        flags: flag(patch.woken, 1) | flag(patch.patch == TILE, 2) | flag(patch.lag_woken, 4) | flag(patch.handing, 8),
+        flags: flag(patch.woken, 1) | flag(patch.patch == TILE, 2) | flag(patch.lag_woken, 4) | flag(patch.handing, 8) | flag(all, 16),
         entry: number as u32,
         patch: patch.patch,
         solid_first: patch.solids.start as u32,
@@ -112,7 +112,7 @@ fn entry((number, patch): (usize, &PatchPlan)) -> ChainPatch {
         keep: patch.keep,
         pixels: patch.pixels,
         around: patch.around,
-        unused: 0,
+        segments,
     }
 }
 
@@ -171,7 +171,8 @@ impl BladePasses {
             gpu.filled(label, if bytes.is_empty() { &padding } else { bytes }, usage)
         };
         let (uniform, storage) = (wgpu::BufferUsages::UNIFORM, wgpu::BufferUsages::STORAGE);
-        let all: Vec<ChainPatch> = plan.patches.iter().enumerate().map(entry).collect();
+        let all: Vec<ChainPatch> =
+            plan.patches.iter().enumerate().map(|patch| entry(patch, (chain.coefficients.segments, chain.all))).collect();
         let with_room: Vec<ChainPatch> = all.iter().filter(|patch| patch.lag != NONE).copied().collect();
         let numbers = ChainUniform::new(stand, chain, dt, [plan.solids.heads.len(), all.len()]);
         let intervals = stand.cells / sward::response::continuum::NODE_CELLS;

@@ -3,7 +3,7 @@
 struct ChainPatch {
     slot: u32,
     lag: u32,
-    flags: u32,        // 1: it wakes; 2: it is the tiled wind patch; 4: its blades are new; 8: they are handed back
+    flags: u32,        // 1: it wakes; 2: it is the tiled wind patch; 4: its blades are new; 8: they are handed back; 16: all are held
     entry: u32,        // its place in the summaries
     patch_index: vec2<i32>,
     solid_first: u32,
@@ -12,7 +12,7 @@ struct ChainPatch {
     keep: f32,
     pixels: f32,
     around: array<u32, 9>,
-    unused: u32,
+    segments: u32,
 }
 
 @group(0) @binding(0) var<uniform> chain: ChainStand;
@@ -70,6 +70,14 @@ fn push_solid(index: u32) -> SolidHead {
     );
 }
 
+// The coefficients, with the number of segments out of the patch at hand: were it a uniform's, Mesa's drivers in software would unroll all loops over
+// segments for it, and translate the kernel again at every dispatch, which takes 0.4 s.
+fn coefficients() -> ChainCoefficients {
+    var co = chain.coefficients;
+    co.segments = entry.segments;
+    return co;
+}
+
 /// The air at a place of the patch at hand.
 fn air_at(local: vec2<f32>) -> vec2<f32> {
     return wind_at(entry.patch_index, local, (entry.flags & 2u) != 0u);
@@ -85,8 +93,8 @@ fn held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 
     if standing_needs_wind(standing) {
         steady = steady_at(air_at(root.at.xz)).moments;
     }
-    let moments = standing_moments(standing, chain.coefficients.segments, before, root.at.xz, steady);
-    return standing_pose(chain.coefficients, base, root.curl, moments);
+    let moments = standing_moments(standing, entry.segments, before, root.at.xz, steady);
+    return standing_pose(coefficients(), base, root.curl, moments);
 }
 
 var<workgroup> peak: atomic<u32>;
@@ -95,7 +103,7 @@ var<workgroup> peak: atomic<u32>;
 @compute @workgroup_size(8, 8)
 fn virtual_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     entry = patches[id.z];
-    let n = chain.coefficients.segments;
+    let n = entry.segments;
     let area = chain.virtual_side * chain.virtual_side;
     let index = id.y * chain.virtual_side + id.x;
     let place = (vec2<f32>(id.xy) + 0.5) * (chain.patch_side / f32(chain.virtual_side));
@@ -115,13 +123,13 @@ fn virtual_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_inv
         }
     }
     if wakes {
-        var moments = virtual_inertia_moments(chain.coefficients, upright, state);
+        var moments = virtual_inertia_moments(coefficients(), upright, state);
         for (var i = 0u; i < n; i++) {
             now[moments_first + 2u * i * area] = moments[i].x;
             now[moments_first + (2u * i + 1u) * area] = moments[i].y;
         }
     }
-    state = chain_step(chain.coefficients, upright, 0.0, vec3<f32>(air.x, 0.0, air.y), chain.dt, state);
+    state = chain_step(coefficients(), upright, 0.0, vec3<f32>(air.x, 0.0, air.y), chain.dt, state);
     var largest = 0.0;
     for (var i = 0u; i < n; i++) {
         let bend = entry.keep * (state.joints[i].xy - steady.bends[i]);
@@ -131,7 +139,7 @@ fn virtual_pass(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_inv
         }
         largest = max(largest, max(bend.x * bend.x + bend.y * bend.y, rate.x * rate.x + rate.y * rate.y));
     }
-    var moments = virtual_inertia_moments(chain.coefficients, upright, state);
+    var moments = virtual_inertia_moments(coefficients(), upright, state);
     for (var i = 0u; i < n; i++) {
         let at = first + 4u * i * area;
         let joint = state.joints[i];
@@ -156,14 +164,14 @@ fn busy_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= chain.blades {
         return;
     }
-    let n = chain.coefficients.segments;
+    let n = present.segments;
     let end = (present.lag * (6u * n + 2u) + 6u * n) * chain.blades + id.x;
     let root = roots[present.lag * chain.blades + id.x];
     if (present.flags & 4u) != 0u {
         blades[end] = 0.0;
         blades[end + chain.blades] = 0.0;
     }
-    let rests = blades[end] <= 0.0 && blades[end + chain.blades] <= 0.0 && chain.all == 0u;
+    let rests = blades[end] <= 0.0 && blades[end + chain.blades] <= 0.0 && (present.flags & 16u) == 0u;
     if root.length <= 0.0 || (rests && !push_reach(push_obstacles(present.solid_first, present.solid_count), root)) {
         return;
     }
@@ -181,12 +189,12 @@ fn blades_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let which = vec2<u32>(atomicLoad(&summary[chain.busy + 4u + 2u * id.x]), atomicLoad(&summary[chain.busy + 5u + 2u * id.x]));
     entry = patches[which.x];
-    let n = chain.coefficients.segments;
+    let n = entry.segments;
     let first = entry.lag * (6u * n + 2u) * chain.blades + which.y;
     let root = roots[entry.lag * chain.blades + which.y];
     let by = Holding(
         push_obstacles(entry.solid_first, entry.solid_count), chain.dt, entry.keep, entry.pixels,
-        chain.all != 0u, (entry.flags & 8u) != 0u,
+        (entry.flags & 16u) != 0u, (entry.flags & 8u) != 0u,
     );
     var blade = HeldBlade();
     blade.hold = blades[first + 6u * n * chain.blades];
@@ -195,13 +203,13 @@ fn blades_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         let at = first + 4u * i * chain.blades;
         blade.state.joints[i] = vec4<f32>(blades[at], blades[at + chain.blades], blades[at + 2u * chain.blades], blades[at + 3u * chain.blades]);
     }
-    blade = held_step(chain.coefficients, by, root, blade);
+    blade = held_step(coefficients(), by, root, blade);
     if held_pressed.solid != STANDING_NONE {
         let solid = by.obstacles.first + held_pressed.solid;
         let head = push_solid(solid);
         let base = chain_planted(root.yaw, root.lean);
         let about = 0.5 * (head.low.xyz + head.high.xyz);
-        let felt = pressed_felt(chain.coefficients, root, base, held_pressed, blade.before, held_bends(blade.state), about);
+        let felt = pressed_felt(coefficients(), root, base, held_pressed, blade.before, held_bends(blade.state), about);
         // The sums lie between the summaries and the busy blades.
         reaction_sum(chain.busy + REACTION_WORDS * (solid - chain.planes / 6u), felt);
     }
@@ -220,7 +228,7 @@ fn blades_pass(@builtin(global_invocation_id) id: vec3<u32>) {
     blades[first + (6u * n + 1u) * chain.blades] = blade.hold_before;
     if blade.hold > 0.0 {
         var restless = BLADES_RESTLESS;
-        if chain.all != 0u {
+        if (entry.flags & 16u) != 0u {
             restless = 0.0;
             for (var i = 0u; i < n; i++) {
                 let rate = blade.state.joints[i].zw;

@@ -158,7 +158,8 @@ pub(crate) fn half_sleeps(gpu: &Gpu) -> Verdict {
         }
         Ok(world.state.step)
     };
-    let (mut full, mut halved) = (world(BALL)?, halved_world(BALL)?);
+    let ball = BALL.replace("cells: 64", "cells: 32");
+    let (mut full, mut halved) = (world(&ball)?, halved_world(&ball)?);
     // In wind too nothing but rest counts as rest.
     [&mut full, &mut halved].into_iter().for_each(|world| world.model.stands[0].tolerance = REST);
     let mut backend = Backend::on(gpu, &halved)?;

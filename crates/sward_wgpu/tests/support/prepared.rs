@@ -104,7 +104,7 @@ pub(crate) fn air_solved(gpu: &Gpu) -> Verdict {
         interactors: [(shape: Box(size: (1, 1, 2)), path: Circle(radius: 3.0, speed: 4.0))])";
     let mut world = World::new(Scene::parse(text, "prepare.ron")?, &sward::model::NoAssets)?;
     let mut step = GpuStep::new(gpu, &world)?;
-    for _ in 0..41 {
+    for _ in 0..21 {
         step.step(gpu, &mut world)?;
     }
     step.wait(gpu, &mut world)?;
@@ -133,7 +133,7 @@ pub(crate) fn air_solved(gpu: &Gpu) -> Verdict {
 /// Plants that swing by themselves: held, let go and at rest, in gusts; at the moment of a step and between two.
 pub(crate) fn swings_solved(gpu: &Gpu) -> Verdict {
     let text = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32, response: Oscillator())], wind: [Natural(velocity: (4.0, 2.0))],
-        budget: (patches: 25, focus_distance: 10.0), camera: (eye: (0, 2, -4), target: (0, 0, 6)),
+        budget: (patches: 25, focus_distance: 10.0, visible_plants: 20000), camera: (eye: (0, 2, -4), target: (0, 0, 6)),
         exclusions: [(area: Road(points: [(-30, 6), (2, 3), (9, 40)], width: 2), soft: 1.5)],
         interactors: [(shape: Sphere(radius: 1.2), path: Circle(radius: 3.0, speed: 6.0))])";
     let mut world = World::new(Scene::parse(text, "swings.ron")?, &sward::model::NoAssets)?;
@@ -271,7 +271,7 @@ pub(crate) fn sheets_stay_above_ground(gpu: &Gpu) -> Verdict {
     let text = r#"(version: 1, terrain: Image(path: "assets/jacksboro.png", scale: 0.01), detail: (amplitude: 0.4, wavelength: 3, octaves: 4),
         stands: [(species: Reed, representation: Sheet())], wind: [Natural(velocity: (30, 12), turbulence: 0.5)],
         interactors: [(shape: Truck, path: Keyframes(keys: [(time: 0, at: (-6, 6)), (time: 1, at: (6, 6))]))],
-        budget: (focus_distance: 20, lag_distance: 20))"#;
+        budget: (focus_distance: 20, lag_distance: 20, visible_plants: 30000))"#;
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
     let mut world = World::new(Scene::parse(text, "steep.ron")?, &sward::model::Folder(root.into()))?;
     (0..60).for_each(|_| world.step());

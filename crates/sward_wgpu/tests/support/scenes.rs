@@ -85,27 +85,27 @@ pub(crate) fn level_ground_is_raised(gpu: &Gpu) -> Verdict {
     let mut backend = Backend::on(gpu, &other)?;
     let edit = Edit { at: [0.0, 3.0], radius: 4.0, change: Change::Raise(Raise { height: 0.3 }), ..Edit::default() };
     for raised in [false, true, true] {
-        Backend::Cpu.run(gpu, &mut cpu, 60)?;
-        backend.run(gpu, &mut other, 60)?;
+        Backend::Cpu.run(gpu, &mut cpu, 30)?;
+        backend.run(gpu, &mut other, 30)?;
         agree("raised", &cpu, &other, true)?;
         ensure((cpu.state.stands[0].counters.resampled > 0) == raised, || "the edit is seen".to_owned())?;
-        if cpu.state.step == 60 {
+        if cpu.state.step == 30 {
             cpu.edit(&edit)?;
             other.edit(&edit)?;
         }
     }
     let mut control = world(LAWN)?;
-    Backend::Cpu.run(gpu, &mut control, 180)?;
+    Backend::Cpu.run(gpu, &mut control, 90)?;
     control.state.stands[0].counters = cpu.state.stands[0].counters;
     ensure(agree("control", &cpu, &control, false).is_err(), || "level ground gives the same".to_owned())
 }
 
 pub(crate) fn truck_on_hills(gpu: &Gpu) -> Verdict {
-    Run { name: "truck", scene: TRUCK, shows: |world| !world.model.terrain.is_flat() && world.model.gusty }.check(gpu)
+    Run { name: "truck", scene: TRUCK, shows: |world| !world.model.terrain.is_flat() && world.model.gusty }.check_for(gpu, 120)
 }
 
 pub(crate) fn lawn_and_sphere(gpu: &Gpu) -> Verdict {
-    Run { name: "lawn", scene: LAWN, shows: |world| world.model.stands[0].lag.segments == 1 }.check(gpu)
+    Run { name: "lawn", scene: LAWN, shows: |world| world.model.stands[0].lag.segments == 1 }.check_for(gpu, 120)
 }
 
 pub(crate) fn bodies_in_reed(gpu: &Gpu) -> Verdict {
@@ -137,7 +137,7 @@ pub(crate) fn chains(gpu: &Gpu) -> Verdict {
 }
 
 pub(crate) fn natural_wind(gpu: &Gpu) -> Verdict {
-    Run { name: "wind", scene: WIND, shows: |world| world.state.stands[0].awake.len() > 3 }.check(gpu)
+    Run { name: "wind", scene: WIND, shows: |world| world.state.stands[0].awake.len() > 3 }.check_for(gpu, 90)
 }
 
 pub(crate) fn each_lag(gpu: &Gpu) -> Verdict {
@@ -147,14 +147,14 @@ pub(crate) fn each_lag(gpu: &Gpu) -> Verdict {
             interactors: [(shape: Box(size: (1, 1, 2)), path: Circle(radius: 4, speed: 5))], camera: (eye: (0, 2, 0), target: (0, 1, 5)))"
         );
         let shows = |world: &sward::world::World| !world.state.stands[0].cells.lag.is_empty();
-        Run { name, scene: &scene, shows }.check(gpu)?;
+        Run { name, scene: &scene, shows }.check_for(gpu, 90)?;
     }
     Ok(())
 }
 
 pub(crate) fn substeps(gpu: &Gpu) -> Verdict {
     let shows = |world: &sward::world::World| world.model.stands[0].substeps > 1 && world.state.stands[0].counters.clamped > 0;
-    Run { name: "stiff", scene: STIFF, shows }.check(gpu)
+    Run { name: "stiff", scene: STIFF, shows }.check_for(gpu, 90)
 }
 
 pub(crate) fn small_budget(gpu: &Gpu) -> Verdict {
@@ -162,5 +162,6 @@ pub(crate) fn small_budget(gpu: &Gpu) -> Verdict {
 }
 
 pub(crate) fn two_stands(gpu: &Gpu) -> Verdict {
-    Run { name: "two stands", scene: TWO_STANDS, shows: |world| world.state.stands.iter().all(|stand| !stand.awake.is_empty()) }.check(gpu)
+    Run { name: "two stands", scene: TWO_STANDS, shows: |world| world.state.stands.iter().all(|stand| !stand.awake.is_empty()) }
+        .check_for(gpu, 120)
 }

@@ -13,7 +13,7 @@ use crate::runs::world;
 const SCENE: &str = "(version: 1, field: (patch_side: 8.0), stands: [(species: Meadow, cells: 32)],
     wind: [Natural(velocity: (3.0, 1.0)), Fluid()], budget: (patches: 16, focus_distance: 12.0, lag_distance: 12.0),
     interactors: [(shape: Sphere(radius: 0.6), path: Circle(radius: 3.0, speed: 4.0))])";
-const STEPS: u64 = 40;
+const STEPS: u64 = 20;
 /// A device that takes longer for a step is no longer believed in.
 const PATIENCE: Duration = Duration::from_secs(60);
 

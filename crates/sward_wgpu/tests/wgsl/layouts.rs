@@ -218,7 +218,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
             "ChainPatch",
             text_of("step blade by blade"),
             layout!(ChainPatch {
-                slot, lag, flags, entry, patch as "patch_index", solid_first, solid_count, weights, keep, pixels, around, unused
+                slot, lag, flags, entry, patch as "patch_index", solid_first, solid_count, weights, keep, pixels, around, segments
             }),
         ),
         ("Root", text_of("step blade by blade"), layout!(Root { at, length, yaw, lean, curl, unused, slope, more_unused })),
@@ -267,7 +267,7 @@ fn shared() -> Vec<(&'static str, String, Layout)> {
 }
 
 fn chain_stand() -> Layout {
-    layout!(ChainUniform { coefficients, virtual_side, blades, all, cells, dt, patch_side, planes, busy, steady })
+    layout!(ChainUniform { coefficients, virtual_side, blades, cells, dt, patch_side, planes, busy, unused, steady })
 }
 
 #[test]
