@@ -33,8 +33,6 @@ mod layers;
 mod lit;
 #[path = "support/maths.rs"]
 mod maths;
-#[path = "support/matrix.rs"]
-mod matrix;
 #[path = "support/prepared.rs"]
 mod prepared;
 #[path = "support/reactions.rs"]
@@ -130,7 +128,6 @@ fn main() -> std::process::ExitCode {
         ("level_ground_is_raised", scenes::level_ground_is_raised),
         ("inputs_followed", inputs::followed),
         ("reactions_of_meshes", reactions::of_meshes),
-        ("everything_meets_everything", matrix::matrix),
         ("questions_answered", asked::answers),
         ("truck_on_hills", scenes::truck_on_hills),
         ("lawn_and_sphere", scenes::lawn_and_sphere),

@@ -94,7 +94,7 @@ fn body(mut shape: Shape) -> Interactor {
 }
 
 fn world(stands: &[Stand], wind: Option<WindSource>, shape: Option<&Shape>) -> World {
-    let text = "(version: 1, field: (patch_side: 8, patches: (3, 3)), camera: (eye: (3, 2, 1), target: (3, 0.5, 4)),
+    let text = "(version: 1, field: (patch_side: 8, patches: (2, 1)), camera: (eye: (3, 2, 1), target: (3, 0.5, 4)),
                  budget: (patches: 9, focus_distance: 7, lag_distance: 10))";
     let mut scene = Scene::parse(text, "matrix.ron").unwrap();
     scene.stands = stands.to_vec();
@@ -272,7 +272,8 @@ fn winds() -> Vec<(&'static str, WindSource)> {
     for (_, wind) in &mut winds {
         match wind {
             WindSource::Footprint(print) => (print.speed, print.radius) = (8.0, 9.0),
-            WindSource::Fluid(fluid) => (fluid.cells, fluid.side) = (32, 16.0),
+            // Air that forgets the body before the last moment.
+            WindSource::Fluid(fluid) => (fluid.cells, fluid.side, fluid.fade) = (32, 16.0, 0.5),
             WindSource::Uniform(_) | WindSource::Natural(_) => (),
         }
     }
@@ -292,7 +293,7 @@ fn on_cpu(world: &mut World, last: u64) {
 
 /// Runs all cells, the controls on the CPU; prints how many hold and returns what does not. `run` steps a world, which it sees for the first time, until
 /// a step. Unless `every` wind meets every shape, each shape meets one wind.
-pub(crate) fn all(run: &mut dyn FnMut(&mut World, u64), every: bool) -> Vec<String> {
+fn all(run: &mut dyn FnMut(&mut World, u64), every: bool) -> Vec<String> {
     let (stands, refused) = stands();
     println!("{} stands; refused, with reasons:", stands.len());
     refused.iter().for_each(|why| println!("  {}", why.replace('\n', ";")));
