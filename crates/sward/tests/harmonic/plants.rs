@@ -200,3 +200,40 @@ fn what_holds_leaves_now_and_then_does_not_pump_them_up() {
     assert!(most_leaping > 10.0, "control: {most_leaping}");
     assert!((pumped(1, 1, ours) - 1.0).abs() < 0.2, "leaves that are held all the time come along");
 }
+
+/// The most that a touched plant's V comes to in 3000 steps of 1/`rate` s, under a body that is on it at some moments and off it at others.
+fn brushed(co: &HarmonicCoefficients, rate: u32) -> f32 {
+    let dt = 1.0 / rate as f32;
+    let mut waves = Waves::new(TOUCH_SIDE as usize);
+    let mut seed = 1_u32;
+    let mut drawn = || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (seed >> 8) as f32 / (1 << 24) as f32
+    };
+    for _ in 0..3000 {
+        let at = [16.0 * drawn() - 8.0, 16.0 * drawn()];
+        let half = [1.0 + 8.0 * drawn(), 1.0 + 8.0 * drawn()];
+        let brush = Brush { at, half, velocity: [2.0 * drawn() - 1.0, 0.3], through: drawn(), hold: Brush::hold(dt) };
+        let held = drawn() < 0.6;
+        step_touched(&mut waves, co, [0.0; 2], if held { std::slice::from_ref(&brush) } else { &[] }, (0.0, dt), &mut []);
+    }
+    waves.now.iter().flatten().fold(0.0, |most, part| if part.is_finite() { most.max(part.abs()) } else { f32::INFINITY })
+}
+
+#[test]
+fn no_touch_makes_any_waves_blow_up() {
+    for rate in [20, 30, 60, 1000] {
+        for (speed, frequency, ratio) in
+            [(50.0, 0.05, 0.0), (50.0, 10.0, 0.0), (50.0, 10.0, 2.0), (50.0, 1.0, 2.0), (46.6, 0.05, 0.0), (0.0, 10.0, 0.3)]
+        {
+            let dt = 1.0 / rate as f32;
+            let free = HarmonicCoefficients::new(speed, frequency, ratio, 1.0, 0.3, dt);
+            let most = brushed(&free.under(Brush::hold(dt)), rate);
+            println!("{rate} Hz, {speed} m/s, {frequency} Hz, {ratio}: {most:.1}, stiff as free ones {:.1e}", brushed(&free, rate));
+            assert!(most < 100.0, "{most}");
+        }
+    }
+    // Control: waves that are as stiff as those that nothing holds.
+    let free = HarmonicCoefficients::new(50.0, 0.05, 0.0, 1.0, 0.3, 1.0 / 30.0);
+    assert!(brushed(&free, 30) > 1e4, "control");
+}

@@ -31,9 +31,14 @@ impl HarmonicCoefficients {
         let spread = lower(pace * pace, 0.98 * (4.0 - 2.0 * damping - restoring) / 8.0);
         Self { spread, restoring, damping, gain }
     }
-}
 
-impl HarmonicCoefficients {
+    /// The same for cells that bodies may hold by a share of up to `hold` of a step: they lose up to Λ = 1 − (1 − λ)(1 − hold) of their change and are drawn
+    /// by hold²/4 more. Speed is kept where that is stable: 8c²Δt²/Δx² + κΔt² + hold²/4 < 4 − 2Λ.
+    pub fn under(self, hold: f32) -> Self {
+        let left = 2.0 + 2.0 * (1.0 - self.damping) * (1.0 - hold) - self.restoring - 0.25 * hold * hold;
+        Self { spread: lower(self.spread, 0.98 * left / 8.0), ..self }
+    }
+
     /// Change of V that goes on from the step before.
     pub(super) fn carried(&self, here: f32, old: f32) -> f32 {
         (1.0 - self.damping) * (here - old)

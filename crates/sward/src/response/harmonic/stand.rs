@@ -12,6 +12,7 @@ use super::view::Axes;
 use crate::growth::Growth;
 use crate::math::{clamped, lower, upper};
 use crate::placement::PlacementParameters;
+use crate::plan::Brush;
 use crate::scene::{Harmonic, Layered, Layers, Place};
 use crate::specimen::Specimen;
 use crate::state::LayeredPlant;
@@ -71,7 +72,7 @@ impl HarmonicModel {
             axes,
             coefficients: kernel(cell),
             touch_cell,
-            touch_coefficients: kernel(touch_cell),
+            touch_coefficients: kernel(touch_cell).under(Brush::hold(dt as f32)),
             touch: harmonic.touch,
             dt: dt as f32,
             ring: Ring::new(dt),
