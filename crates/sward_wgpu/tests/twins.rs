@@ -33,6 +33,8 @@ mod layers;
 mod lit;
 #[path = "support/maths.rs"]
 mod maths;
+#[path = "support/matrix.rs"]
+mod matrix;
 #[path = "support/prepared.rs"]
 mod prepared;
 #[path = "support/reactions.rs"]
@@ -151,6 +153,7 @@ fn main() -> std::process::ExitCode {
         ("half_memory", halves::half_memory),
         ("room_ends", halves::room_ends),
         ("one_dispatch_a_stage", halves::one_dispatch_a_stage),
+        ("everything_meets_everything", matrix::matrix),
     ];
     adapter::run(tests, |_, name| distance_maps::missing(name))
 }

@@ -291,17 +291,17 @@ fn on_cpu(world: &mut World, last: u64) {
     }
 }
 
-/// Runs all cells, the controls on the CPU; prints how many hold and returns what does not. `run` steps a world, which it sees for the first time, until
+/// Runs all cells and their controls; prints how many hold and returns what does not. `run` steps a world, which it sees for the first time, until
 /// a step. Unless `every` wind meets every shape, each shape meets one wind.
-fn all(run: &mut dyn FnMut(&mut World, u64), every: bool) -> Vec<String> {
+pub(crate) fn all(run: &mut dyn FnMut(&mut World, u64), every: bool) -> Vec<String> {
     let (stands, refused) = stands();
     println!("{} stands; refused, with reasons:", stands.len());
     refused.iter().for_each(|why| println!("  {}", why.replace('\n', ";")));
     let (winds, shapes) = (winds(), shapes());
-    let calm: Vec<Run> = shapes.iter().map(|(_, shape)| Run::of(world(&stands, None, Some(shape)), &mut on_cpu)).collect();
+    let calm: Vec<Run> = shapes.iter().map(|(_, shape)| Run::of(world(&stands, None, Some(shape)), run)).collect();
     let (mut cells, mut wrong) = (0, Vec::new());
     for (first, (wind, source)) in winds.iter().enumerate() {
-        let alone = Run::of(world(&stands, Some(source.clone()), None), &mut on_cpu);
+        let alone = Run::of(world(&stands, Some(source.clone()), None), run);
         for (second, (shape, body)) in shapes.iter().enumerate().filter(|(second, _)| every || second % winds.len() == first) {
             let own = Run::of(world(&stands, Some(source.clone()), Some(body)), run);
             let found = wrong_of(&stands, body, &own, [&calm[second], &alone]);

@@ -83,15 +83,22 @@ fn air_at(local: vec2<f32>) -> vec2<f32> {
     return wind_at(entry.patch_index, local, (entry.flags & 2u) != 0u);
 }
 
+// The air at the root of the blade at hand: asked once, since whatever is called is inlined.
+var<private> held_air: vec2<f32>;
+
 fn held_wind(root: Root) -> vec2<f32> {
-    return air_at(root.at.xz);
+    return held_air;
+}
+
+fn pressed_joint(joint: u32) -> ChainJoint {
+    return chain.coefficients.joints[joint];
 }
 
 fn held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 8> {
     let standing = Standing(entry.around, entry.weights, chain.patch_side, chain.virtual_side);
     var steady = array<vec2<f32>, 8>();
     if standing_needs_wind(standing) {
-        steady = steady_at(air_at(root.at.xz)).moments;
+        steady = steady_at(held_air).moments;
     }
     let moments = standing_moments(standing, entry.segments, before, root.at.xz, steady);
     return standing_pose(coefficients(), base, root.curl, moments);
@@ -196,6 +203,7 @@ fn blades_pass(@builtin(global_invocation_id) id: vec3<u32>) {
         push_obstacles(entry.solid_first, entry.solid_count), chain.dt, entry.keep, entry.pixels,
         (entry.flags & 16u) != 0u, (entry.flags & 8u) != 0u,
     );
+    held_air = air_at(root.at.xz);
     var blade = HeldBlade();
     blade.hold = blades[first + 6u * n * chain.blades];
     blade.hold_before = blades[first + (6u * n + 1u) * chain.blades];

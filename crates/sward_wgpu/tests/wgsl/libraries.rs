@@ -28,7 +28,8 @@ const STANDING_STUBS: &str = "fn steady_load(index: u32) -> vec2<f32> { return v
     fn standing_load(before: bool, index: u32) -> f32 { return f32(index); }";
 const HELD_STUBS: &str = "fn push_solid(index: u32) -> SolidHead { var solid: SolidHead; return solid; } \
     fn held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 8> { return array<vec2<f32>, 8>(); } \
-    fn held_wind(root: Root) -> vec2<f32> { return root.slope; }";
+    fn held_wind(root: Root) -> vec2<f32> { return root.slope; } \
+    fn pressed_joint(joint: u32) -> ChainJoint { return ChainJoint(); }";
 const AIR_STUB: &str = "fn air_load(index: u32) -> f32 { return f32(index); }";
 const REACTION_STUB: &str = "fn reaction_add(word: u32, parts: i32) {}";
 const REST_STUB: &str = "fn rest_node(index: u32) -> vec2<f32> { return vec2<f32>(f32(index)); }";

@@ -86,23 +86,29 @@ fn held_push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles
 
 fn held_settled(co: ChainCoefficients, root: Root, base: mat3x3<f32>, blade: HeldBlade, virtual_pose: array<vec2<f32>, 8>, dt: f32) -> bool {
     var own = blade.state.joints;
-    var stands = push_out(co, root, base, push_obstacles(0u, 0u), virtual_pose).bends;
-    var farthest = 0.0;
-    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
-        let off = own[i].xy - stands[i];
-        farthest = math_upper(farthest, off.x * off.x + off.y * off.y);
-    }
-    if farthest > HELD_NEAR * HELD_NEAR {
-        return false;
-    }
-    var earlier = push_out(co, root, base, push_obstacles(0u, 0u), held_stands(root, base, true)).bends;
     var before = blade.before;
-    var fastest = 0.0;
-    for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
-        let rate = own[i].xy - stands[i] - before[i] + earlier[i];
-        fastest = math_upper(fastest, rate.x * rate.x + rate.y * rate.y);
+    var off = array<vec2<f32>, 8>();
+    // Now, and a step before.
+    for (var moment = 0u; moment < 2u; moment++) {
+        var posture = virtual_pose;
+        if moment == 1u {
+            posture = held_stands(root, base, true);
+        }
+        var stands = push_out(co, root, base, push_obstacles(0u, 0u), posture).bends;
+        let most = select(HELD_NEAR, HELD_SLOW * dt, moment == 1u);
+        var largest = 0.0;
+        for (var i = 0u; i < min(co.segments, CHAIN_MOST_SEGMENTS); i++) {
+            let now_ = own[i].xy - stands[i];
+            let change = off[i] - before[i] + stands[i];
+            let x = select(now_, change, moment == 1u);
+            off[i] = now_;
+            largest = math_upper(largest, x.x * x.x + x.y * x.y);
+        }
+        if largest > most * most {
+            return false;
+        }
     }
-    return fastest <= HELD_SLOW * HELD_SLOW * dt * dt;
+    return true;
 }
 
 fn held_go_back(co: ChainCoefficients, by: Holding, root: Root, base: mat3x3<f32>, blade: HeldBlade, stands: array<vec2<f32>, 8>) -> HeldBlade {

@@ -59,6 +59,7 @@ pub const WGSL: [&str; 2] = [include_str!("chain.wgsl"), include_str!("virtual_i
 /// `standing_load(before: bool, index: u32) -> f32`.
 pub const STANDING_WGSL: [&str; 2] = [include_str!("steady.wgsl"), include_str!("standing.wgsl")];
 /// Blades with a state, after [`STANDING_WGSL`] and [`crate::interaction::solid::WGSL`]; the host declares `push_solid(index: u32) -> SolidHead`,
-/// `held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 8>` and `held_wind(root: Root) -> vec2<f32>`.
+/// `held_stands(root: Root, base: mat3x3<f32>, before: bool) -> array<vec2<f32>, 8>`, `held_wind(root: Root) -> vec2<f32>` and
+/// `pressed_joint(joint: u32) -> ChainJoint`.
 pub const HELD_WGSL: [&str; 4] =
     [include_str!("push.wgsl"), crate::interaction::reaction::WGSL, include_str!("pressed.wgsl"), include_str!("held.wgsl")];

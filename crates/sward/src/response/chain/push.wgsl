@@ -270,19 +270,7 @@ fn push_lying(co: ChainCoefficients, root: Root, base: mat3x3<f32>, nearly_flat:
     return lying;
 }
 
-// A blade that found no way out lies down straight; `turned` is 0 if it cannot.
-fn push_down(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, posture: array<vec2<f32>, 8>, pressed: Pressed) -> Pushed {
-    let tip = push_tip(co, root, base, posture);
-    var result = Pushed(posture, 0u, pressed);
-    for (var k = 0u; k < 16u && result.turned == 0u; k++) {
-        let lying = push_lying(co, root, base, k >= 8u, push_heading(k % 8u), tip);
-        if push_sweep(co, root, base, obstacles, 0u, lying, push_nobody()).turned == 0u {
-            result = Pushed(lying, (1u << co.segments) - 1u, push_lying_under(pressed.solid, push_tip(co, root, base, lying)));
-        }
-    }
-    return result;
-}
-
+// One call of each function, whichever way a blade goes: all of them are inlined, and the kernel grows with each.
 fn push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obstacles, posture: array<vec2<f32>, 8>) -> Pushed {
     var result = Pushed(posture, 0u, push_nobody());
     var last = 0u;
@@ -291,21 +279,30 @@ fn push_out(co: ChainCoefficients, root: Root, base: mat3x3<f32>, obstacles: Obs
     }
     for (var moment = 0u; moment <= last; moment++) {
         let present = push_at(obstacles, moment);
-        var moved = 1u;
         let over = push_deep_in(present, root, root.at);
-        if over != STANDING_NONE {
-            let lying = push_lying(co, root, base, true, vec2<f32>(1.0, 0.0), push_tip(co, root, base, result.bends));
-            result = Pushed(lying, (1u << co.segments) - 1u, push_lying_under(over, push_tip(co, root, base, lying)));
-            moved = 0u;
-        }
-        for (var number = 0u; number < PUSH_SWEEPS && moved != 0u; number++) {
-            let swept = push_sweep(co, root, base, present, number / PUSH_PATIENCE % co.segments, result.bends, result.pressed);
-            moved = swept.turned;
-            result = Pushed(swept.bends, result.turned | moved, swept.pressed);
-        }
-        if moved != 0u {
-            let down = push_down(co, root, base, present, result.bends, result.pressed);
-            result = Pushed(down.bends, result.turned | down.turned, down.pressed);
+        let stood_on = over != STANDING_NONE;
+        // A root that is stood on lies nearly flat; who finds no way out lies down straight, if it can.
+        for (var number = select(0u, PUSH_SWEEPS + 8u, stood_on); number < PUSH_SWEEPS + 16u; number++) {
+            let lies = number >= PUSH_SWEEPS;
+            var tried = Pushed(result.bends, 0u, result.pressed);
+            if lies {
+                let k = number - PUSH_SWEEPS;
+                tried.bends = push_lying(co, root, base, k >= 8u, push_heading(k % 8u), push_tip(co, root, base, result.bends));
+                tried.pressed = push_nobody();
+            }
+            var swept = tried;
+            if !stood_on {
+                swept = push_sweep(co, root, base, present, select(number / PUSH_PATIENCE % co.segments, 0u, lies), tried.bends, tried.pressed);
+            }
+            if lies && swept.turned == 0u {
+                let under = push_lying_under(select(result.pressed.solid, over, stood_on), push_tip(co, root, base, tried.bends));
+                result = Pushed(tried.bends, (1u << co.segments) - 1u, under);
+            } else if !lies {
+                result = Pushed(swept.bends, result.turned | swept.turned, swept.pressed);
+            }
+            if swept.turned == 0u {
+                break;
+            }
         }
     }
     return result;
