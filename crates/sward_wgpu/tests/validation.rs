@@ -1,5 +1,9 @@
 //! The step and the picture under the driver's validation layer (`SWARD_VALIDATION=1`): it has nothing to say.
 
+#[path = "support/slope.rs"]
+mod slope;
+#[path = "support/soak.rs"]
+mod soak;
 mod support;
 
 use std::process::ExitCode;
@@ -62,9 +66,12 @@ fn main() -> ExitCode {
     support::Watch::install();
     let ready = support::adapter();
     let ignored = matches!(ready, Ok(false));
-    let picture = move || ready.map_err(Failed::from).and_then(|_| step_and_picture());
+    let of_picture = ready.clone();
+    let picture = move || of_picture.map_err(Failed::from).and_then(|_| step_and_picture());
     let trials = vec![
         Trial::test("step_and_picture_leave_the_layer_silent", picture).with_ignored_flag(ignored),
+        Trial::test("everything_stays_sound_for_long", move || ready.map_err(Failed::from).and_then(|_| soak::soak()))
+            .with_ignored_flag(ignored),
         Trial::test("the_watch_hears_the_layer", the_watch_hears),
     ];
     libtest_mimic::run(&arguments, trials).exit_code()

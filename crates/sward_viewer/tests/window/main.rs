@@ -7,6 +7,8 @@
 
 mod desk;
 mod pictures;
+#[path = "../../../sward_wgpu/tests/support/slope.rs"]
+mod slope;
 mod soak;
 mod tales;
 

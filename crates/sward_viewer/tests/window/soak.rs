@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use libtest_mimic::Failed;
 
 use crate::desk::Desk;
+use crate::slope::slope;
 use crate::tales::scenes;
 
 /// Most that memory may seem to grow over a run once everything is there, bytes, whether it takes a minute or ten.
@@ -81,14 +82,4 @@ fn play(name: &str, seconds: u64, most: u64, flat: Flat<'_>, environment: &[(&st
     assert!(now["problem"].is_null(), "{}", now["problem"]);
     assert!(now["step"].as_u64() > Some(2 * seconds), "it stood still");
     Ok(samples)
-}
-
-/// How steeply samples rise: the median over all pairs. What grows once, when a buffer is made larger for a part of the field that was not seen before,
-/// does not count; what grows again and again does.
-fn slope(samples: &[(f64, f64)]) -> f64 {
-    let pairs = samples.iter().enumerate().flat_map(|(index, one)| samples[..index].iter().map(move |other| (one, other)));
-    let mut slopes: Vec<f64> =
-        pairs.filter(|(one, other)| one.0 > other.0).map(|(one, other)| (one.1 - other.1) / (one.0 - other.0)).collect();
-    slopes.sort_by(f64::total_cmp);
-    slopes.get(slopes.len() / 2).copied().unwrap_or(f64::NAN)
 }
