@@ -52,13 +52,15 @@ fn resting(wind: &str) -> World {
     )
 }
 
-/// 512 balls that roll in circles, two or three in each of 225 patches of 128 × 128 cells, all of them awake.
-fn crowded() -> World {
+/// Balls that roll in circles, in rows over 225 patches of 128 × 128 cells, all of them awake.
+fn crowded(balls: u32) -> World {
+    let row = f64::from(balls).sqrt().ceil();
+    let apart = 478.0 / row;
     let ball = |k: u32| {
-        let (x, z) = (f64::from(k % 23) * 20.8 - 229.0, f64::from(k / 23) * 20.8 - 229.0);
+        let (x, z) = (f64::from(k) % row * apart - 229.0, (f64::from(k) / row).floor() * apart - 229.0);
         format!("(shape: Sphere(radius: 0.5), path: Circle(centre: ({x}, {z}), radius: 3, speed: {}))", 3.0 + f64::from(k % 5))
     };
-    let balls: Vec<String> = (0..512).map(ball).collect();
+    let balls: Vec<String> = (0..balls).map(ball).collect();
     after(
         60,
         world(&format!("stands: [(species: Meadow)], interactors: [{}], budget: (patches: 225, focus_distance: 20)", balls.join(", "))),
@@ -91,13 +93,18 @@ fn main() {
 
     swinging();
 
-    let mut crowd = crowded();
-    println!("{} bodies, {} patches awake", crowd.model.bodies.len(), count(&crowd));
-    let times: Vec<[f64; 2]> = (0..2 * PAIRS).map(|_| contact_of_step(&mut crowd)).collect();
-    let [contact, step] = [0, 1].map(|which| 1e3 * median(&mut times.iter().map(|pair| pair[which]).collect::<Vec<f64>>())[1]);
-    println!("contact {contact:.2} ms of {step:.2} ms");
-    let mut shares: Vec<f64> = times.iter().map(|[contact, step]| contact / step).collect();
-    report("contact of 512 bodies, share of a step", 0.05, &mut shares);
+    for (balls, contact_limit, all_limit) in [(512, 0.05, 0.1), (1024, 0.1, 0.1)] {
+        let mut crowd = crowded(balls);
+        println!("{} bodies, {} patches awake", crowd.model.bodies.len(), count(&crowd));
+        let times: Vec<[f64; 3]> = (0..2 * PAIRS).map(|_| contact_of_step(&mut crowd)).collect();
+        let [contact, after, step] =
+            [0, 1, 2].map(|which| 1e3 * median(&mut times.iter().map(|part| part[which]).collect::<Vec<f64>>())[1]);
+        println!("contact {contact:.2} ms, what bodies feel {after:.2} ms, of {step:.2} ms");
+        let mut shares: Vec<f64> = times.iter().map(|[contact, _, step]| contact / step).collect();
+        report(&format!("contact of {balls} bodies, share of a step"), contact_limit, &mut shares);
+        let mut shares: Vec<f64> = times.iter().map(|[contact, after, step]| (contact + after) / step).collect();
+        report(&format!("contact of {balls} bodies and what they feel, share of a step"), all_limit, &mut shares);
+    }
     asking();
     saving(&awake);
 }
@@ -172,8 +179,8 @@ fn swings() -> [Vec<f64>; 2] {
     [rates, pairs.iter().map(|[evaluated, _]| 1e9 * evaluated / (PATCHES * AREA) as f64).collect()]
 }
 
-/// Seconds of the contact stage, and of the step it is part of.
-fn contact_of_step(world: &mut World) -> [f64; 2] {
+/// Seconds of the contact stage; of the end of the step, where what bodies feel is summed up and told; and of the step they are part of.
+fn contact_of_step(world: &mut World) -> [f64; 3] {
     let begun = Instant::now();
     let plan = world.plan();
     let (mut contact, mut last) = (0.0, Instant::now());
@@ -183,6 +190,7 @@ fn contact_of_step(world: &mut World) -> [f64; 2] {
         }
         last = Instant::now();
     });
+    let responded = Instant::now();
     world.finish(reports);
-    [contact, begun.elapsed().as_secs_f64()]
+    [contact, responded.elapsed().as_secs_f64(), begun.elapsed().as_secs_f64()]
 }
