@@ -1,5 +1,5 @@
 //! What must cost nothing, or next to nothing, as ratios of times in ABBA order: a larger terrain, patches asleep, many bodies.
-//! `cargo bench -p sward --bench claims`, with `-- swings` only what swings; a claim holds if the upper end of its interval does. It only prints what it finds: time is
+//! `cargo bench -p sward --bench claims`, or with `-- terrain`, `asleep`, `swings`, `bodies`, `asking` or `saving` only some of it; a claim holds if the upper end of its interval does. It only prints what it finds: time is
 //! noisy, so its exit status says nothing of the claims. That no work is done is tested by counters (`properties::placement`,
 //! `properties::activation`).
 
@@ -68,34 +68,53 @@ fn crowded(balls: u32) -> World {
 }
 
 fn main() {
-    if std::env::args().any(|argument| argument == "swings") {
-        return swinging();
+    let named: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let parts: [(&str, fn()); 6] = [
+        ("terrain", large_terrain),
+        ("asleep", sleeping),
+        ("swings", swinging),
+        ("bodies", many_bodies),
+        ("asking", asking),
+        ("saving", saving),
+    ];
+    for (_, part) in parts.iter().filter(|(name, _)| named.is_empty() || named.iter().any(|wanted| wanted == name)) {
+        part();
     }
-    let steps = |world: &mut World, count: u32| seconds(|| (0..count).for_each(|_| world.step()));
+}
 
+fn steps(world: &mut World, count: u32) -> f64 {
+    seconds(|| (0..count).for_each(|_| world.step()))
+}
+
+fn awake(world: &World) -> usize {
+    world.state.stands[0].awake.len()
+}
+
+fn large_terrain() {
     let (mut small, mut large) = (of_size(88), of_size(8800));
     assert_eq!(small.state.stands[0].counters, large.state.stands[0].counters);
     let mut ratios: Vec<f64> = (0..PAIRS)
         .map(|number| pair(number, || steps(&mut large, 5), || steps(&mut small, 5)))
         .map(|[large, small]| large / small)
         .collect();
-    println!("{} patches awake", small.state.stands[0].awake.len());
+    println!("{} patches awake", awake(&small));
     report("a step on 8800 × 8800 patches against 88 × 88", 1.05, &mut ratios);
+}
 
-    let (mut awake, mut asleep) = (resting("Natural()"), resting(""));
-    let count = |world: &World| world.state.stands[0].awake.len();
-    assert_eq!((count(&awake), count(&asleep)), (225, 0), "the same scene but for its wind");
+fn sleeping() {
+    let (mut blown, mut still) = (resting("Natural()"), resting(""));
+    assert_eq!((awake(&blown), awake(&still)), (225, 0), "the same scene but for its wind");
     let mut ratios: Vec<f64> = (0..PAIRS)
-        .map(|number| pair(number, || steps(&mut asleep, 1), || steps(&mut awake, 1)))
-        .map(|[asleep, awake]| asleep / awake)
+        .map(|number| pair(number, || steps(&mut still, 1), || steps(&mut blown, 1)))
+        .map(|[still, blown]| still / blown)
         .collect();
     report("a step with all 225 patches asleep against all awake", 0.01, &mut ratios);
+}
 
-    swinging();
-
+fn many_bodies() {
     for (balls, contact_limit, all_limit) in [(512, 0.05, 0.1), (1024, 0.1, 0.1)] {
         let mut crowd = crowded(balls);
-        println!("{} bodies, {} patches awake", crowd.model.bodies.len(), count(&crowd));
+        println!("{} bodies, {} patches awake", crowd.model.bodies.len(), awake(&crowd));
         let times: Vec<[f64; 3]> = (0..2 * PAIRS).map(|_| contact_of_step(&mut crowd)).collect();
         let [contact, after, step] =
             [0, 1, 2].map(|which| 1e3 * median(&mut times.iter().map(|part| part[which]).collect::<Vec<f64>>())[1]);
@@ -105,8 +124,6 @@ fn main() {
         let mut shares: Vec<f64> = times.iter().map(|[contact, after, step]| (contact + after) / step).collect();
         report(&format!("contact of {balls} bodies and what they feel, share of a step"), all_limit, &mut shares);
     }
-    asking();
-    saving(&awake);
 }
 
 /// A million questions on one core, of places side by side and of scattered ones.
@@ -125,7 +142,9 @@ fn asking() {
 }
 
 /// A world of 225 awake patches, saved and loaded.
-fn saving(world: &World) {
+fn saving() {
+    let world = resting("Natural()");
+    assert_eq!(awake(&world), 225, "they are blown about");
     let bytes = world.save_world();
     let mut times: Vec<f64> = (0..5).map(|_| seconds(|| drop(world.save_world()))).collect();
     println!("225 patches saved, {} MB: {:.2} s; claimed at most 0.5", bytes.len() >> 20, median(&mut times)[1]);

@@ -1,9 +1,10 @@
 //! A world's state as bytes: saved, loaded, and continued as if it had never stopped.
 //!
-//! `SWARDSTATE`, format version (u32), checksum of the rest (u64), then the state in postcard's encoding; little-endian throughout.
+//! `SWARDSTATE`, format version (u32), CRC-32 of the rest (u32), then the state in postcard's encoding; little-endian throughout.
 //! Ground and free places are worked out again. On the CPU continuing gives the same bits; a GPU continues from the same bits.
 
 mod layered;
+mod planes;
 mod whole;
 
 use std::collections::BTreeSet;
@@ -16,20 +17,21 @@ use crate::response::springs::pool;
 use crate::response::{StandModel, chain};
 use crate::scene::{self, Response, Scene, Stand, WindSource};
 use crate::state::{
-    Among, Awake, BodyState, Counters, LayeredState, NONE, PatchKey, Reaction, Regrowth, Sheets, State, Summary, Tuning, WindState,
+    Among, Awake, BodyState, Counters, LayeredState, NONE, PatchKey, Reaction, Regrowth, Sheets, StandState, State, Summary, Tuning,
+    WindState,
 };
 use crate::terrain::Edits;
 use crate::wind::fluid::{FASTEST, FluidState};
+use crate::world::World;
+use planes::Words;
 pub use whole::LoadError;
 
-use crate::world::World;
-
 /// What [`World::save`] writes and [`World::restore`] reads.
-pub const VERSION: u32 = 7;
+pub const VERSION: u32 = 8;
 const MAGIC: &[u8; 10] = b"SWARDSTATE";
 /// Far beyond any bend \[rad\] or velocity \[rad/s\] that the limits leave, and small enough that a step stays finite.
 const FARTHEST: f32 = 1e4;
-const HEADER: usize = MAGIC.len() + 4 + 8;
+const HEADER: usize = MAGIC.len() + 4 + 4;
 
 /// Why a saved state cannot be continued.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -56,7 +58,7 @@ pub enum SavedError {
 }
 
 #[derive(Serialize, Deserialize)]
-struct Saved {
+struct Saved<'a> {
     step: u64,
     bodies: Vec<BodyState>,
     reactions: Vec<Reaction>,
@@ -74,7 +76,8 @@ struct Saved {
     edits: Edits,
     edited_steps: u64,
     edited: Vec<PatchKey>,
-    stands: Vec<SavedStand>,
+    #[serde(borrow)]
+    stands: Vec<SavedStand<'a>>,
     layered: Vec<LayeredState>,
     /// Flows of planes of air, now and a step before.
     fluids: Vec<[Vec<[f32; 2]>; 2]>,
@@ -89,41 +92,42 @@ struct SavedTuning {
     steps: u64,
 }
 
-/// Planes are those of awake patches, in key order.
+/// Planes are those of awake patches, in key order; the second and the fourth of those that have upper segments.
 #[derive(Serialize, Deserialize)]
-struct SavedStand {
+struct SavedStand<'a> {
     cells: u32,
     segments: u32,
     awake: Vec<(PatchKey, Awake)>,
     summaries: Vec<(u64, Vec<(PatchKey, Summary)>)>,
     counters: Counters,
-    now: Vec<f32>,
-    old: Vec<f32>,
-    upper: Vec<f32>,
-    history: Vec<f32>,
-    virtual_states: Vec<f32>,
+    #[serde(borrow)]
+    now: Vec<Words<'a>>,
+    #[serde(borrow)]
+    old: Vec<Words<'a>>,
+    #[serde(borrow)]
+    upper: Vec<Words<'a>>,
+    #[serde(borrow)]
+    history: Vec<Words<'a>>,
+    #[serde(borrow)]
+    virtual_states: Vec<Words<'a>>,
     sheets: Sheets,
-    sheet_words: Vec<u32>,
-}
-
-/// FNV-1a.
-fn checksum(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+    #[serde(borrow)]
+    sheet_words: Words<'a>,
 }
 
 impl World {
     /// The state as bytes. Where a GPU steps, download its cells first.
     pub fn save(&self) -> Vec<u8> {
+        self.save_after(Vec::new())
+    }
+
+    /// The same, after what is in `bytes` already.
+    fn save_after(&self, mut bytes: Vec<u8>) -> Vec<u8> {
         let state = &self.state;
         let stands = state.stands.iter().zip(&self.model.stands).map(|(stand, model)| {
-            let planes = |slots: &[Box<[f32]>], pick: fn(&Awake) -> u32| -> Vec<f32> {
-                // Places of sheets are those of the pool.
-                if model.springs.is_some() {
-                    return Vec::new();
-                }
-                let used = stand.awake.values().map(pick).filter(|slot| *slot != NONE);
-                used.filter_map(|slot| slots.get(slot as usize)).flat_map(|values| values.iter().copied()).collect()
-            };
+            // Places of sheets are those of the pool.
+            let kept = if model.springs.is_none() { usize::MAX } else { 0 };
+            let planes = |slots, pick| planes(stand, slots, kept, pick);
             SavedStand {
                 cells: model.cells,
                 segments: model.lag.segments,
@@ -136,7 +140,7 @@ impl World {
                 history: planes(&stand.cells.history, |awake| awake.lag),
                 virtual_states: planes(&stand.cells.virtual_states, |awake| awake.slot),
                 sheets: stand.sheets.clone(),
-                sheet_words: stand.cells.sheets.clone(),
+                sheet_words: Words::of_words(&stand.cells.sheets),
             }
         });
         let saved = Saved {
@@ -160,13 +164,20 @@ impl World {
             layered: state.layered.clone(),
             fluids: state.fluids.iter().map(|fluid| [fluid.now.to_vec(), fluid.before.to_vec()]).collect(),
         };
-        // Encoding plain data into memory cannot fail.
-        let payload = postcard::to_stdvec(&saved).unwrap_or_default();
-        let mut bytes = Vec::with_capacity(HEADER + payload.len());
+        // A vector that grows as it is filled would be copied again and again.
+        let planes = saved.stands.iter().flat_map(|stand| [&stand.now, &stand.old, &stand.upper, &stand.history, &stand.virtual_states]);
+        bytes.reserve(HEADER + 4 * planes.flatten().map(Words::len).sum::<usize>() + (1 << 20));
         bytes.extend_from_slice(MAGIC);
         bytes.extend_from_slice(&VERSION.to_le_bytes());
-        bytes.extend_from_slice(&checksum(&payload).to_le_bytes());
-        bytes.extend_from_slice(&payload);
+        bytes.extend_from_slice(&[0; 4]);
+        let payload = bytes.len();
+        // Encoding plain data into memory cannot fail.
+        let mut bytes = postcard::to_extend(&saved, bytes).unwrap_or_default();
+        if let Some((before, payload)) = bytes.split_at_mut_checked(payload)
+            && let Some(sum) = before.last_chunk_mut()
+        {
+            *sum = crc32fast::hash(payload).to_le_bytes();
+        }
         bytes
     }
 
@@ -181,8 +192,8 @@ impl World {
         if version != VERSION {
             return Err(SavedError::Version(version));
         }
-        let (sum, payload) = rest.split_first_chunk::<8>().ok_or(SavedError::Damaged("it ends too soon"))?;
-        if u64::from_le_bytes(*sum) != checksum(payload) {
+        let (sum, payload) = rest.split_first_chunk::<4>().ok_or(SavedError::Damaged("it ends too soon"))?;
+        if u32::from_le_bytes(*sum) != crc32fast::hash(payload) {
             return Err(SavedError::Damaged("its checksum is another"));
         }
         self.restore_payload(payload)
@@ -311,11 +322,11 @@ impl World {
         }
     }
 
-    fn restore_stand(&self, index: usize, saved: SavedStand, step: u64) -> Result<crate::state::StandState, SavedError> {
+    fn restore_stand(&self, index: usize, saved: SavedStand, step: u64) -> Result<StandState, SavedError> {
         let model = &self.model.stands[index];
         let mut stand = self.empty_stand(model);
         let (layout, area) = (model.layout(), (model.cells * model.cells) as usize);
-        let mut planes = [&saved.now, &saved.old, &saved.upper, &saved.history, &saved.virtual_states].map(|values| values.iter().copied());
+        let mut planes = [&saved.now, &saved.old, &saved.upper, &saved.history, &saved.virtual_states].map(|planes| planes.iter());
         let [now, old, uppers, past, states] = &mut planes;
         let counters = saved.counters;
         let counts = [
@@ -336,15 +347,15 @@ impl World {
             if !taken || stand.awake.insert(patch, awake).is_some() {
                 return Err(SavedError::Damaged("two patches share one place"));
             }
-            fill(&mut stand.cells.now, awake.slot, [layout.now, layout.counts], now)?;
-            fill(&mut stand.cells.old, awake.slot, [layout.old, 0], old)?;
-            fill(&mut stand.cells.virtual_states, awake.slot, [layout.virtual_states, 0], states)?;
+            fill(&mut stand.cells.now, awake.slot, [layout.now, layout.counts], now.next())?;
+            fill(&mut stand.cells.old, awake.slot, [layout.old, 0], old.next())?;
+            fill(&mut stand.cells.virtual_states, awake.slot, [layout.virtual_states, 0], states.next())?;
             let ground = &mut stand.cells.ground;
             ground.resize(ground.len().max(awake.slot as usize + 1), Default::default());
             ground[awake.slot as usize] = model.ground_of(&self.model.terrain, patch);
             if awake.lag != NONE {
-                fill(&mut stand.cells.lag, awake.lag, [layout.lag, 0], uppers)?;
-                fill(&mut stand.cells.history, awake.lag, [layout.history, 0], past)?;
+                fill(&mut stand.cells.lag, awake.lag, [layout.lag, 0], uppers.next())?;
+                fill(&mut stand.cells.history, awake.lag, [layout.history, 0], past.next())?;
                 if let Some(chain) = &model.chain {
                     let roots = &mut stand.cells.roots;
                     roots.resize(roots.len().max(awake.lag as usize + 1), Box::default());
@@ -352,13 +363,13 @@ impl World {
                 }
             }
         }
-        if planes.iter().any(|values| values.len() > 0) {
+        if planes.iter().any(|planes| planes.len() > 0) {
             return Err(SavedError::Damaged("it holds more cells than patches"));
         }
         if !saved.summaries.iter().all(|(of, _)| *of < step || (*of == 0 && step == 0)) {
             return Err(SavedError::Damaged("it knows the future"));
         }
-        (stand.sheets, stand.cells.sheets) = sheets(model, saved.sheets, saved.sheet_words)?;
+        (stand.sheets, stand.cells.sheets) = sheets(model, saved.sheets, saved.sheet_words.words().collect())?;
         if model.springs.is_some() {
             let patches: Vec<PatchKey> = stand.awake.keys().copied().collect();
             stand.lay_places(patches, area);
@@ -368,7 +379,13 @@ impl World {
     }
 }
 
-impl Saved {
+/// Planes of awake patches that have a place there, of the first `kept` places.
+fn planes<'a>(stand: &'a StandState, slots: &'a [Box<[f32]>], kept: usize, place: fn(&Awake) -> u32) -> Vec<Words<'a>> {
+    let used = stand.awake.values().map(place).filter(|slot| *slot != NONE);
+    used.map(|slot| Words::of_numbers(slots.get(slot as usize).filter(|_| (slot as usize) < kept).map_or(&[], |plane| plane))).collect()
+}
+
+impl Saved<'_> {
     /// Planes of air that blow.
     fn fluids_there(&self, scene: &Scene) -> usize {
         let winds = scene.wind.iter().zip(&self.winds);
@@ -409,24 +426,16 @@ fn sheets(model: &StandModel, sheets: Sheets, words: Vec<u32>) -> Result<(Sheets
 }
 
 /// Puts the next `length` values into a slot, the last `free` of which may be anything; slots below it that nobody uses are zero.
-fn fill(
-    slots: &mut Vec<Box<[f32]>>,
-    slot: u32,
-    [length, free]: [usize; 2],
-    values: &mut impl ExactSizeIterator<Item = f32>,
-) -> Result<(), SavedError> {
-    if values.len() < length {
+fn fill(slots: &mut Vec<Box<[f32]>>, slot: u32, [length, free]: [usize; 2], plane: Option<&Words>) -> Result<(), SavedError> {
+    let Some(plane) = plane.filter(|plane| plane.len() == length) else {
         return Err(SavedError::Damaged("cells are missing"));
-    }
+    };
     let slot = slot as usize;
     while slots.len() <= slot {
         slots.push(vec![0.0; length].into_boxed_slice());
     }
-    let mut sound = true;
-    for (index, (place, value)) in slots[slot].iter_mut().zip(values).enumerate() {
-        sound &= index >= length - free || (-FARTHEST..=FARTHEST).contains(&value);
-        *place = value;
-    }
+    slots[slot].iter_mut().zip(plane.numbers()).for_each(|(place, value)| *place = value);
+    let sound = slots[slot][..length - free].iter().fold(true, |sound, value| sound & (-FARTHEST..=FARTHEST).contains(value));
     if sound { Ok(()) } else { Err(SavedError::Damaged("a cell is out of bounds")) }
 }
 

@@ -242,6 +242,14 @@ const FARTHEST: f64 = 1e8;
 /// Most cells of a stand that a region is looked through.
 const MOST_LOOKED_AT: usize = 1 << 24;
 
+/// Numbers of places block by block of cells, so that what an [`Asker`] remembers of one place answers the next.
+fn side_by_side(places: &[[f64; 2]], spacing: f64) -> impl Iterator<Item = usize> {
+    let block = |metres: f64| (metres / (spacing * (REMEMBERED / 2) as f64)).floor() as i32;
+    let mut order: Vec<([i32; 2], usize)> = places.iter().map(|place| place.map(block)).zip(0..).collect();
+    order.sort_by_key(|(block, _)| *block);
+    order.into_iter().map(|(_, at)| at)
+}
+
 /// How a plant of some segments stands that are bent so. Twin: `asked_standing` in `ask.wgsl`.
 fn standing(bends: &[[f32; 2]], [cosine, sine]: [f32; 2], asked: &Asked) -> Standing {
     let (mut tip, length) = ([0.0; 3], 1.0 / bends.len() as f32);
@@ -268,8 +276,8 @@ impl World {
         let mut heights: Vec<f32> = places.iter().map(|place| self.crown_height(*place)).collect();
         for index in 0..self.model.stands.len() {
             let mut asker = Asker::new(self, index);
-            for (height, place) in heights.iter_mut().zip(places) {
-                let asked = asker.question(*place);
+            for at in side_by_side(places, self.model.stands[index].spacing) {
+                let (asked, height) = (asker.question(places[at]), &mut heights[at]);
                 // What is lower upright is lower bent.
                 if asked.height > *height {
                     *height = math::upper(*height, asker.answer(&asked).height);

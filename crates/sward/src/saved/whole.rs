@@ -29,9 +29,9 @@ pub enum LoadError {
 impl World {
     /// The world as bytes: its scene with all bodies, wind and responses as they are now, and its state. Where a GPU steps, download its cells first.
     pub fn save_world(&self) -> Vec<u8> {
-        let (text, state) = (self.scene.to_ron(), self.save());
+        let text = self.scene.to_ron();
         let length = (text.len() as u64).to_le_bytes();
-        [&MAGIC[..], &length, text.as_bytes(), &state].concat()
+        self.save_after([&MAGIC[..], &length, text.as_bytes()].concat())
     }
 
     /// A world that goes on as the saved one would have, to the bit. Files that its scene names come from `assets`.

@@ -71,7 +71,7 @@ fn states_that_cannot_be_gone_on_from_are_refused() {
     };
     refuse(b"", &["not a saved state", "SWARDSTATE"]);
     refuse(b"(version: 1)", &["not a saved state", "SWARDSTATE"]);
-    refuse(&changed(10), &["format version 4, expected 7", "save it again"]);
+    refuse(&changed(10), &["format version 11, expected 8", "save it again"]);
     refuse(&state[..12], &["damaged", "it ends too soon"]);
     refuse(&state[..state.len() - 1], &["damaged", "checksum"]);
     for at in [15, 22, 40, state.len() / 2, state.len() - 1] {
