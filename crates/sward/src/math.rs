@@ -63,6 +63,18 @@ pub fn clamped(x: f32, low: f32, high: f32) -> f32 {
     lower(upper(x, low), high)
 }
 
+/// All bits where something holds, else none: with it [`either`] needs no branch, and numbers side by side share instructions.
+#[inline(always)]
+pub(crate) fn mask(holds: bool) -> u32 {
+    u32::from(holds).wrapping_neg()
+}
+
+/// `yes` where the mask has its bits, else `no`.
+#[inline(always)]
+pub(crate) fn either(mask: u32, yes: f32, no: f32) -> f32 {
+    f32::from_bits((yes.to_bits() & mask) | (no.to_bits() & !mask))
+}
+
 /// A smooth step from 0 at `low` to 1 at `high` (`smoothstep` in WGSL).
 #[inline(always)]
 pub fn smoothstep(low: f32, high: f32, x: f32) -> f32 {

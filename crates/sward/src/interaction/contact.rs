@@ -5,7 +5,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use crate::math;
+use crate::math::{self, either, mask};
 
 /// Width of the band along an edge in which plants bend outwards, m (methods §1.1).
 const BAND: f32 = 0.4;
@@ -81,14 +81,6 @@ pub struct Hit {
     pub depth: f32,
 }
 
-impl Hit {
-    /// Least bend under the body: atan(depth/h_eff), rad.
-    #[inline(always)]
-    pub fn floor(&self) -> f32 {
-        math::atan(self.depth / self.height)
-    }
-}
-
 /// Cells of a row worked on together by [`contacts_of_row`].
 pub const ABREAST: usize = 8;
 
@@ -136,37 +128,35 @@ fn nearest(edges: &[ContactEdge], first: [i32; 2], cell: i32, velocity: [[f32; A
     nearest
 }
 
-/// All bits where something holds, else none: with it [`either`] needs no branch, and the cells of a row share instructions.
-#[inline(always)]
-fn mask(holds: bool) -> u32 {
-    u32::from(holds).wrapping_neg()
-}
-
-/// `yes` where the mask has its bits, else `no`.
-#[inline(always)]
-fn either(mask: u32, yes: f32, no: f32) -> f32 {
-    f32::from_bits((yes.to_bits() & mask) | (no.to_bits() & !mask))
-}
-
 /// Height of a plane underside at `at` [m from the corner] for one end of the step.
+#[inline(always)]
 fn plane(reference: [f32; 4], gradient: [f32; 2], at: [f32; 2]) -> f32 {
     reference[2] + gradient[0] * (at[0] - reference[0]) + gradient[1] * (at[1] - reference[1])
 }
 
 /// `at` seen from one end of the step, in radii of the ellipsoid.
+#[inline(always)]
 fn in_radii(contact: &Contact, reference: [f32; 4], at: [f32; 2]) -> [f32; 2] {
     let (x, z) = (at[0] - reference[0], at[1] - reference[1]);
     let [cosine, sine, across, lengthwise] = contact.form;
     [(cosine * x - sine * z) * across, (sine * x + cosine * z) * lengthwise]
 }
 
-/// Lowest underside over `at` during the step; very high where there is none. A plane is lowest at one end of the step, an ellipsoid
-/// where it passes nearest: taken at the ends only, a fast ball would skip the plants between.
+/// Lowest underside over `at` during the step; very high where there is none.
 pub(crate) fn underside(contact: &Contact, at: [f32; 2]) -> f32 {
-    if contact.kind == 0 {
-        let before = plane(contact.start, [contact.form[0], contact.form[1]], at);
-        return math::lower(before, plane(contact.end, [contact.form[2], contact.form[3]], at));
-    }
+    if contact.kind == 0 { plane_underside(contact, at) } else { round_underside(contact, at) }
+}
+
+/// A plane is lowest at one end of the step.
+#[inline(always)]
+fn plane_underside(contact: &Contact, at: [f32; 2]) -> f32 {
+    let before = plane(contact.start, [contact.form[0], contact.form[1]], at);
+    math::lower(before, plane(contact.end, [contact.form[2], contact.form[3]], at))
+}
+
+/// An ellipsoid is lowest where it passes nearest: taken at the ends only, a fast ball would skip the plants between.
+#[inline(always)]
+fn round_underside(contact: &Contact, at: [f32; 2]) -> f32 {
     let (from, to) = (in_radii(contact, contact.start, at), in_radii(contact, contact.end, at));
     let way = [to[0] - from[0], to[1] - from[1]];
     let length = math::upper(way[0] * way[0] + way[1] * way[1], 1e-12);
@@ -174,7 +164,19 @@ pub(crate) fn underside(contact: &Contact, at: [f32; 2]) -> f32 {
     let (u, v) = (from[0] + passed * way[0], from[1] + passed * way[1]);
     let inside = 1.0 - u * u - v * v;
     let centre = contact.start[2] + passed * (contact.end[2] - contact.start[2]);
-    if inside < 0.0 { 1e9 } else { centre - contact.rise * inside.sqrt() }
+    either(mask(inside < 0.0), 1e9, centre - contact.rise * math::upper(inside, 0.0).sqrt())
+}
+
+/// [`underside`] over places side by side.
+#[inline(always)]
+fn undersides(contact: &Contact, x: [f32; ABREAST], z: f32) -> [f32; ABREAST] {
+    let mut heights = [0.0; ABREAST];
+    if contact.kind == 0 {
+        (0..ABREAST).for_each(|k| heights[k] = plane_underside(contact, [x[k], z]));
+    } else {
+        (0..ABREAST).for_each(|k| heights[k] = round_underside(contact, [x[k], z]));
+    }
+    heights
 }
 
 /// Contact of one cell: `cell` counted from the footprint's corner, `ground` the terrain height at its centre \[m\]. `None` if the
@@ -212,22 +214,31 @@ pub fn contacts_of_row(
         speed[k] = (velocity[0][k] * velocity[0][k] + velocity[1][k] * velocity[1][k]).sqrt();
     }
     let nearest = nearest(edges, point, 1 << contact.shift, velocity, speed);
+    let mut clearance = undersides(contact, x, z);
+    let mut reached = [false; ABREAST];
     for k in 0..ABREAST {
         let column = first[0] + k as i32;
-        if column < 0 || column >= contact.size[0] || nearest.inside[k] < 0 {
-            continue;
+        if column >= 0 && column < contact.size[0] && nearest.inside[k] >= 0 {
+            clearance[k] -= ground(k);
+            reached[k] = clearance[k] < plant_height;
         }
-        let clearance = underside(contact, [x[k], z]) - ground(k);
-        if clearance >= plant_height {
-            continue;
-        }
-        let height = math::upper(math::lower(clearance, contact.highest), 0.02);
+    }
+    if reached == [false; ABREAST] {
+        return;
+    }
+    // Of all of them, since eight cost as much as one.
+    let (mut height, mut direction, mut along) = ([0.0; ABREAST], [[0.0; ABREAST]; 2], [0.0; ABREAST]);
+    for k in 0..ABREAST {
+        height[k] = math::upper(math::lower(clearance[k], contact.highest), 0.02);
         let safe = math::upper(speed[k], 1e-12);
         let heading = [velocity[0][k] / safe + nearest.shape[0][k], velocity[1][k] / safe + nearest.shape[1][k]];
         let size = math::upper((heading[0] * heading[0] + heading[1] * heading[1]).sqrt(), 1e-12);
-        let direction = [heading[0] / size, heading[1] / size];
-        let along = velocity[0][k] * direction[0] + velocity[1][k] * direction[1];
+        (direction[0][k], direction[1][k]) = (heading[0] / size, heading[1] / size);
+        along[k] = velocity[0][k] * direction[0][k] + velocity[1][k] * direction[1][k];
+    }
+    for k in (0..ABREAST).filter(|k| reached[*k]) {
         let normal = [nearest.normal[0][k], nearest.normal[1][k]];
-        found(k, Hit { speed: speed[k], direction, along, height, normal, depth: nearest.depth[k] });
+        let direction = [direction[0][k], direction[1][k]];
+        found(k, Hit { speed: speed[k], direction, along: along[k], height: height[k], normal, depth: nearest.depth[k] });
     }
 }

@@ -70,6 +70,16 @@ impl Leaning {
     }
 }
 
+impl Felt {
+    /// What one plant adds to a sum: see [`WORDS`].
+    #[inline(always)]
+    pub fn words(&self) -> [i32; WORDS] {
+        let [x, y, z] = self.force.map(|newtons| parts(newtons, FORCE_PARTS));
+        let [about_x, about_y, about_z] = self.moment.map(|moment| parts(moment, FORCE_PARTS));
+        [x, y, z, about_x, about_y, about_z, parts(self.crushed, ENERGY_PARTS), 1, i32::from(self.crushed > 0.0)]
+    }
+}
+
 /// a × b.
 #[inline(always)]
 pub fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
@@ -90,13 +100,13 @@ impl Sums {
     /// Adds one plant.
     #[inline(always)]
     pub fn add(&mut self, felt: &Felt) {
-        for axis in 0..3 {
-            self.0[axis] += i64::from(parts(felt.force[axis], FORCE_PARTS));
-            self.0[3 + axis] += i64::from(parts(felt.moment[axis], FORCE_PARTS));
-        }
-        self.0[6] += i64::from(parts(felt.crushed, ENERGY_PARTS));
-        self.0[7] += 1;
-        self.0[8] += i64::from(felt.crushed > 0.0);
+        self.add_words(felt.words());
+    }
+
+    /// Adds one plant's [`Felt::words`].
+    #[inline(always)]
+    pub fn add_words(&mut self, words: [i32; WORDS]) {
+        self.0.iter_mut().zip(words).for_each(|(sum, word)| *sum += i64::from(word));
     }
 
     /// Of the words that a GPU has added up, each a whole number with a sign.

@@ -1,8 +1,10 @@
 //! What bodies feel of the plants of a step, and the events that follow from it.
 
+use std::collections::VecDeque;
+
 use super::World;
 use crate::plan::Report;
-use crate::state::{Among, Event, Happening, Reaction};
+use crate::state::{Among, BodyState, Event, Happening, Reaction};
 
 /// How often a host hears of crushed plants, and after how long without any a body has left them, s.
 const PACE: f64 = 0.1;
@@ -28,7 +30,7 @@ impl World {
         let left: Vec<(u32, u32)> = self.state.among.range((key, 0)..=(key, u32::MAX)).map(|(pair, _)| *pair).collect();
         for pair in left {
             self.state.among.remove(&pair);
-            self.tell(self.state.step, pair, Happening::Left);
+            tell(&mut self.events, &self.state.bodies, self.state.step, pair, Happening::Left);
         }
         if let Some(reaction) = self.state.reactions.get_mut(body) {
             *reaction = Reaction::default();
@@ -52,15 +54,13 @@ impl World {
                 }
                 reaction.plants = reaction.plants.saturating_add(sums.plants());
                 let pair = (toucher.body, stand as u32);
-                let new = Among { due: step, ..Among::default() };
-                let entered = !self.state.among.contains_key(&pair);
-                let among = self.state.among.entry(pair).or_insert(new);
+                let among = self.state.among.entry(pair).or_insert_with(|| {
+                    tell(&mut self.events, &self.state.bodies, step, pair, Happening::Entered);
+                    Among { due: step, ..Among::default() }
+                });
                 among.last = step;
                 among.crushed = among.crushed.saturating_add(sums.crushed());
                 among.energy += sums.crushed_energy();
-                if entered {
-                    self.tell(step, pair, Happening::Entered);
-                }
             }
         }
         for (body, reaction) in reactions.iter_mut().enumerate() {
@@ -72,30 +72,19 @@ impl World {
 
     /// Events that are due.
     fn tell_of_crushed(&mut self, step: u64, pace: u64) {
-        let pairs: Vec<(u32, u32)> = self.state.among.keys().copied().collect();
-        for pair in pairs {
-            let Some(among) = self.state.among.get_mut(&pair) else { continue };
+        let (events, bodies) = (&mut self.events, &self.state.bodies);
+        self.state.among.retain(|pair, among| {
             let left = step >= among.last.saturating_add(pace);
             if among.crushed > 0 && (left || step >= among.due) {
                 let what = Happening::Crushed { plants: among.crushed, energy: among.energy };
                 *among = Among { last: among.last, due: step.saturating_add(pace), ..Among::default() };
-                self.tell(step, pair, what);
+                tell(events, bodies, step, *pair, what);
             }
             if left {
-                self.state.among.remove(&pair);
-                self.tell(step, pair, Happening::Left);
+                tell(events, bodies, step, *pair, Happening::Left);
             }
-        }
-    }
-
-    fn tell(&mut self, step: u64, (body, stand): (u32, u32), what: Happening) {
-        let (body, stand) = (body as usize, stand as usize);
-        let state = self.state.bodies.get(body).and_then(|state| state.pose.or(state.before));
-        let at = state.map_or([0.0; 3], |pose| [pose.ground[0], pose.height, pose.ground[1]]);
-        if self.events.len() >= MOST_EVENTS {
-            self.events.pop_front();
-        }
-        self.events.push_back(Event { step, body, stand, at, what });
+            !left
+        });
     }
 
     /// Power of what a body feels, along its way and its turn, W.
@@ -117,4 +106,15 @@ impl World {
             Some(layered) => Some(self.model.layered.get(layered)?.index),
         }
     }
+}
+
+/// Files an event that a body and a stand are part of.
+fn tell(events: &mut VecDeque<Event>, bodies: &[BodyState], step: u64, (body, stand): (u32, u32), what: Happening) {
+    let (body, stand) = (body as usize, stand as usize);
+    let pose = bodies.get(body).and_then(|state| state.pose.or(state.before));
+    let at = pose.map_or([0.0; 3], |pose| [pose.ground[0], pose.height, pose.ground[1]]);
+    if events.len() >= MOST_EVENTS {
+        events.pop_front();
+    }
+    events.push_back(Event { step, body, stand, at, what });
 }

@@ -4,8 +4,22 @@
 
 use super::bend::Held;
 use super::coefficients::Coefficients;
-use crate::interaction::reaction::{CRUSHED, Leaning};
+use crate::interaction::ABREAST;
+use crate::interaction::reaction::{CRUSHED, Leaning, WORDS};
 use crate::math;
+
+/// A cell that a body has just come to hold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeldCell {
+    /// β and ω before.
+    pub before: [f32; 4],
+    /// What became of it.
+    pub held: Held,
+    /// Where its plants would rest, rad.
+    pub rest: [f32; 2],
+    /// Their roots from the point about which moments are counted, m.
+    pub root: [f32; 3],
+}
 
 /// How the plants of a cell resist being bent: what stands there on average.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -32,5 +46,30 @@ impl Resistance {
         let fell = tilt > CRUSHED && size([before[0], before[1]]) <= CRUSHED;
         let energy = 0.5 * self.inertia * self.kappa * (away[0] * away[0] + away[1] * away[1]);
         Leaning { tilt, towards, moment, lever, length, aside: 1.0, crushed: if fell { energy } else { 0.0 } }
+    }
+
+    /// What bodies feel of the first eight of such cells or fewer, side by side, with plants `length` m long: words to add to sums.
+    #[inline(always)]
+    pub fn felt(&self, co: &Coefficients, cells: &[HeldCell], length: f32) -> impl Iterator<Item = [i32; WORDS]> {
+        let none = [0.0; ABREAST];
+        let (mut before, mut bend, mut rate, mut height, mut rest, mut root) =
+            ([none; 4], [none; 2], [none; 2], none, [none; 2], [none; 3]);
+        for (k, cell) in cells.iter().take(ABREAST).enumerate() {
+            (0..4).for_each(|plane| before[plane][k] = cell.before[plane]);
+            (0..3).for_each(|axis| root[axis][k] = cell.root[axis]);
+            for axis in 0..2 {
+                (bend[axis][k], rate[axis][k], rest[axis][k]) = (cell.held.bend[axis], cell.held.rate[axis], cell.rest[axis]);
+            }
+            height[k] = cell.held.height;
+        }
+        let mut words = [[0; ABREAST]; WORDS];
+        for k in 0..ABREAST {
+            let held = Held { bend: [bend[0][k], bend[1][k]], rate: [rate[0][k], rate[1][k]], by: 0, height: height[k] };
+            let before = [before[0][k], before[1][k], before[2][k], before[3][k]];
+            let leaning = self.leaning(co, before, &held, [rest[0][k], rest[1][k]], length);
+            let felt = leaning.felt([root[0][k], root[1][k], root[2][k]]).words();
+            (0..WORDS).for_each(|word| words[word][k] = felt[word]);
+        }
+        (0..cells.len().min(ABREAST)).map(move |k| words.map(|abreast| abreast[k]))
     }
 }

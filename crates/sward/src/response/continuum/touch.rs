@@ -3,9 +3,9 @@
 //! Chen & Johan 2010, §5.1; methods §1.1. Reads footprints, ground, β. Writes β and ω of held cells. The GPU host is `contact_pass` in
 //! `step.wgsl` of `sward_wgpu`.
 
-use super::bend;
+use super::bend::{self, Push, Touch};
 use super::coefficients::Coefficients;
-use super::resistance::Resistance;
+use super::resistance::{HeldCell, Resistance};
 use super::rest::Rest;
 use crate::interaction::reaction::Sums;
 use crate::interaction::{ABREAST, Contact, ContactEdge, Hit, contacts_of_row};
@@ -34,8 +34,15 @@ pub struct Touched {
     order: Vec<(u32, u32)>,
     /// β and ω where each hit is.
     cells: Vec<[f32; 4]>,
-    /// Held cells, β and ω.
-    held: Vec<(u32, [f32; 4])>,
+    /// What each hit does.
+    pushes: Vec<Push>,
+    /// Held cells, and the first hit of each in `order`.
+    held: Vec<(u32, u32)>,
+    /// What touches them.
+    touches: Vec<Touch>,
+    /// Some of them side by side, as bodies feel them, and of which of the patch's footprints.
+    resisting: Vec<HeldCell>,
+    numbers: Vec<usize>,
     /// What bodies feel, one for each of the patch's footprints.
     pub felt: Vec<Sums>,
 }
@@ -54,7 +61,8 @@ pub fn touch_patch(
     touched: &mut Touched,
 ) -> Vec<u32> {
     let area = cells * cells;
-    let Touched { hits, whose, order, cells: there, held, felt } = touched;
+    let Touched { hits, whose, order, cells: there, pushes, held, touches, resisting, numbers, felt } = touched;
+    held.clear();
     felt.clear();
     felt.resize(by.pairs.len(), Sums::default());
     find_hits(co, cells, by, ground, order, (hits, whose));
@@ -62,30 +70,43 @@ pub fn touch_patch(
     if !order.is_sorted() {
         order.sort_unstable();
     }
-    // All are read, then all are worked out, then all written: one by one each would wait for memory. ω is read only for this.
+    // All are read first: one by one each would wait for memory. ω is read only for this.
     there.clear();
     there.extend(order.iter().map(|(cell, _)| [0, 1, 2, 3].map(|plane| now[plane * area + *cell as usize])));
-    held.clear();
+    pushes.clear();
+    for (order, there) in order.chunks(ABREAST).zip(there.chunks(ABREAST)) {
+        let asked = order.iter().zip(there).map(|((_, hit), before)| ([before[0], before[1]], &hits[*hit as usize]));
+        pushes.extend(bend::pushes(co, asked));
+    }
+    touches.clear();
     let mut first = 0;
     for same in order.chunk_by(|a, b| a.0 == b.0) {
-        let (cell, before) = (same[0].0, there[first]);
+        let (cell, before, pushes) = (same[0].0, there[first], &pushes[first..]);
+        let hits = same.iter().map(|(_, hit)| &hits[*hit as usize]).zip(pushes.iter().copied());
+        if let Some(touch) = bend::touch([before[0], before[1]], ground.slope(cells, cell as usize), hits) {
+            held.push((cell, first as u32));
+            touches.push(touch);
+        }
         first += same.len();
-        let slope = ground.slope(cells, cell as usize);
-        if let Some(next) = bend::contact(co, [before[0], before[1]], slope, same.iter().map(|(_, hit)| hits[*hit as usize])) {
-            held.push((cell, [next.bend[0], next.bend[1], next.rate[0], next.rate[1]]));
-            let [i, j] = [cell as usize % cells, cell as usize / cells];
-            let number = whose[same[next.by as usize].1 as usize] as usize;
+    }
+    for (held, touches) in held.chunks(ABREAST).zip(touches.chunks(ABREAST)) {
+        resisting.clear();
+        numbers.clear();
+        for ((cell, first), next) in held.iter().zip(bend::held(co, touches)) {
+            let [i, j] = [*cell as usize % cells, *cell as usize / cells];
+            let number = whose[order[(*first + next.by) as usize].1 as usize] as usize;
             let ContactPair { contact, corner } = by.pairs[number];
             let contact = &by.contacts[contact as usize];
             let middle = |at: usize, axis: usize| (at as i32 - corner[axis]) as f32 * contact.spacing + 0.5 * contact.spacing;
             let root =
-                [middle(i, 0) - contact.centre[0], ground.height(cells, cell as usize) - contact.end[2], middle(j, 1) - contact.centre[1]];
-            let leaning = by.resistance.leaning(co, before, &next, rest.at(i as i32, j as i32), co.plant_height);
-            felt[number].add(&leaning.felt(root));
+                [middle(i, 0) - contact.centre[0], ground.height(cells, *cell as usize) - contact.end[2], middle(j, 1) - contact.centre[1]];
+            let values = [next.bend[0], next.bend[1], next.rate[0], next.rate[1]];
+            (0..4).for_each(|plane| now[plane * area + *cell as usize] = values[plane]);
+            numbers.push(number);
+            resisting.push(HeldCell { before: there[*first as usize], held: next, rest: rest.at(i as i32, j as i32), root });
         }
-    }
-    for (plane, now) in now.chunks_exact_mut(area).enumerate() {
-        held.iter().for_each(|(cell, values)| now[*cell as usize] = values[plane]);
+        let words = by.resistance.felt(co, resisting, co.plant_height);
+        numbers.iter().zip(words).for_each(|(number, words)| felt[*number].add_words(words));
     }
     held.iter().map(|(cell, _)| *cell).collect()
 }
