@@ -30,8 +30,8 @@ pub struct Touched {
     hits: Vec<Hit>,
     /// Of which of the patch's footprints each hit is.
     whose: Vec<u32>,
-    /// (cell, number of its hit).
-    order: Vec<(u32, u32)>,
+    /// Cells and the numbers of their hits: see [`keyed`].
+    order: Vec<u64>,
     /// β and ω where each hit is.
     cells: Vec<[f32; 4]>,
     /// What each hit does.
@@ -45,6 +45,22 @@ pub struct Touched {
     numbers: Vec<usize>,
     /// What bodies feel, one for each of the patch's footprints.
     pub felt: Vec<Sums>,
+}
+
+/// Cells first, hits of a cell in body order: in one word, which is sorted faster than two.
+#[inline(always)]
+fn keyed(cell: u32, hit: u32) -> u64 {
+    u64::from(cell) << 32 | u64::from(hit)
+}
+
+#[inline(always)]
+fn cell_of(key: u64) -> u32 {
+    (key >> 32) as u32
+}
+
+#[inline(always)]
+fn hit_of(key: u64) -> usize {
+    key as u32 as usize
 }
 
 /// Bends the cells under bodies; `now` is the patch as it is, `rest` where it would rest. Returns the cells held, in order, and leaves what bodies feel in
@@ -66,23 +82,26 @@ pub fn touch_patch(
     felt.clear();
     felt.resize(by.pairs.len(), Sums::default());
     find_hits(co, cells, by, ground, order, (hits, whose));
-    // By cell; hits of a cell stay in body order.
     if !order.is_sorted() {
         order.sort_unstable();
     }
     // All are read first: one by one each would wait for memory. ω is read only for this.
     there.clear();
-    there.extend(order.iter().map(|(cell, _)| [0, 1, 2, 3].map(|plane| now[plane * area + *cell as usize])));
+    let (x, z, rate_x, rate_z) = (&now[..area], &now[area..2 * area], &now[2 * area..3 * area], &now[3 * area..4 * area]);
+    for key in &*order {
+        let cell = cell_of(*key) as usize;
+        there.push([x[cell], z[cell], rate_x[cell], rate_z[cell]]);
+    }
     pushes.clear();
     for (order, there) in order.chunks(ABREAST).zip(there.chunks(ABREAST)) {
-        let asked = order.iter().zip(there).map(|((_, hit), before)| ([before[0], before[1]], &hits[*hit as usize]));
+        let asked = order.iter().zip(there).map(|(key, before)| ([before[0], before[1]], &hits[hit_of(*key)]));
         pushes.extend(bend::pushes(co, asked));
     }
     touches.clear();
     let mut first = 0;
-    for same in order.chunk_by(|a, b| a.0 == b.0) {
-        let (cell, before, pushes) = (same[0].0, there[first], &pushes[first..]);
-        let hits = same.iter().map(|(_, hit)| &hits[*hit as usize]).zip(pushes.iter().copied());
+    for same in order.chunk_by(|a, b| cell_of(*a) == cell_of(*b)) {
+        let (cell, before, pushes) = (cell_of(same[0]), there[first], &pushes[first..]);
+        let hits = same.iter().map(|key| &hits[hit_of(*key)]).zip(pushes.iter().copied());
         if let Some(touch) = bend::touch([before[0], before[1]], ground.slope(cells, cell as usize), hits) {
             held.push((cell, first as u32));
             touches.push(touch);
@@ -94,14 +113,16 @@ pub fn touch_patch(
         numbers.clear();
         for ((cell, first), next) in held.iter().zip(bend::held(co, touches)) {
             let [i, j] = [*cell as usize % cells, *cell as usize / cells];
-            let number = whose[order[(*first + next.by) as usize].1 as usize] as usize;
+            let number = whose[hit_of(order[(*first + next.by) as usize])] as usize;
             let ContactPair { contact, corner } = by.pairs[number];
             let contact = &by.contacts[contact as usize];
             let middle = |at: usize, axis: usize| (at as i32 - corner[axis]) as f32 * contact.spacing + 0.5 * contact.spacing;
             let root =
                 [middle(i, 0) - contact.centre[0], ground.height(cells, *cell as usize) - contact.end[2], middle(j, 1) - contact.centre[1]];
             let values = [next.bend[0], next.bend[1], next.rate[0], next.rate[1]];
-            (0..4).for_each(|plane| now[plane * area + *cell as usize] = values[plane]);
+            for (plane, value) in values.into_iter().enumerate() {
+                now[plane * area + *cell as usize] = value;
+            }
             numbers.push(number);
             resisting.push(HeldCell { before: there[*first as usize], held: next, rest: rest.at(i as i32, j as i32), root });
         }
@@ -118,7 +139,7 @@ fn find_hits(
     cells: usize,
     by: &PatchContacts,
     ground: &Ground,
-    order: &mut Vec<(u32, u32)>,
+    order: &mut Vec<u64>,
     (hits, whose): (&mut Vec<Hit>, &mut Vec<u32>),
 ) {
     let side = cells as i32;
@@ -138,7 +159,7 @@ fn find_hits(
                 let height = |k: usize| if k < count { ground.height(cells, first + k) } else { 0.0 };
                 contacts_of_row(contact, edges, [i - corner[0], j - corner[1]], height, co.plant_height, |k, hit| {
                     if k < count {
-                        order.push(((first + k) as u32, hits.len() as u32));
+                        order.push(keyed((first + k) as u32, hits.len() as u32));
                         hits.push(hit);
                         whose.push(number as u32);
                     }
