@@ -7,13 +7,13 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use sward::geometry::billboard::spine;
-use sward::interaction::contact_at;
+use sward::interaction::{ABREAST, contact_at};
 use sward::lanes::{Lanes, Simd, Work};
 use sward::model::NoAssets;
 use sward::placement::plant;
 use sward::plan::StandPlan;
 use sward::response::StandModel;
-use sward::response::continuum::{Rest, Rows, bends, cascade, contact, limit_row, rates};
+use sward::response::continuum::{self, Rest, Rows, bends, cascade, limit_row, rates};
 use sward::scene::Scene;
 use sward::wind::fluid::{FluidSource, FluidState};
 use sward::world::World;
@@ -147,11 +147,19 @@ fn touch(criterion: &mut Criterion) {
     group.throughput(Throughput::Elements(cells));
     group.bench_function("contact", |bencher| {
         bencher.iter(|| {
+            let mut hits = Vec::new();
             for by in &plan.contacts {
                 let edges = &plan.edges[by.edge_first as usize..][..by.edge_count as usize];
                 for cell in (0..by.size[1]).flat_map(|v| (0..by.size[0]).map(move |u| [u, v])) {
-                    let hit = contact_at(by, edges, cell, 0.0, stand.coefficients.plant_height);
-                    black_box(contact(&stand.coefficients, [0.1, 0.2], [0.0, 0.0], hit.into_iter()));
+                    hits.extend(contact_at(by, edges, cell, 0.0, stand.coefficients.plant_height));
+                }
+            }
+            for hits in hits.chunks(ABREAST) {
+                let pushes = continuum::pushes(&stand.coefficients, hits.iter().map(|hit| ([0.1, 0.2], hit)));
+                let one = |hit| continuum::touch([0.1, 0.2], [0.0, 0.0], std::iter::once(hit));
+                let touches: Vec<_> = hits.iter().zip(pushes).filter_map(one).collect();
+                for held in continuum::held(&stand.coefficients, &touches) {
+                    black_box(held);
                 }
             }
         });

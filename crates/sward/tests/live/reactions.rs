@@ -2,7 +2,7 @@
 
 use sward::interaction::Hit;
 use sward::model::NoAssets;
-use sward::response::continuum::{Coefficients, Resistance, held, pushes, touch};
+use sward::response::continuum::{Coefficients, Resistance, contact};
 use sward::response::oscillator::{OscillatorCoefficients, Own, Plant, Push, Record, touch};
 use sward::scene::Scene;
 use sward::state::{Event, Happening, Reaction};
@@ -178,9 +178,7 @@ fn passed_over_cell(speed: f32, rate: f32) -> [f32; 3] {
     while depth < 1.0 {
         depth += speed / rate;
         let hit = Hit { speed, direction: [1.0, 0.0], along: speed, height: 0.1, normal: [1.0, 0.0], depth: 0.0 };
-        let pushed = pushes(&co, std::iter::once(([cell[0], cell[1]], &hit))).next().unwrap();
-        let touch = touch([cell[0], cell[1]], [0.0; 2], std::iter::once((&hit, pushed))).unwrap();
-        let held = held(&co, &[touch]).next().unwrap();
+        let held = contact(&co, [cell[0], cell[1]], [0.0; 2], &[hit]).unwrap();
         work -= resistance.leaning(&co, cell, &held, [0.0; 2], 0.4).felt([0.0; 3]).force[0] * speed / rate;
         cell = [held.bend[0], held.bend[1], held.rate[0], held.rate[1]];
     }

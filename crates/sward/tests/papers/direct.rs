@@ -2,7 +2,7 @@
 
 use crate::common::{Dice, world};
 use sward::interaction::Hit;
-use sward::response::continuum::{Coefficients, Held, bend_limit, contact, push};
+use sward::response::continuum::{Coefficients, Held, bend_limit, contact, pushes};
 
 const DT: f64 = 1.0 / 60.0;
 
@@ -20,7 +20,7 @@ fn length(v: [f32; 2]) -> f32 {
 }
 
 fn touched(bend: [f32; 2], hits: &[Hit]) -> Held {
-    contact(&coefficients(), bend, [0.0, 0.0], hits.iter().copied()).expect("touched")
+    contact(&coefficients(), bend, [0.0, 0.0], hits).expect("touched")
 }
 
 #[test]
@@ -84,7 +84,7 @@ fn a_plant_leaning_against_the_motion_goes_over_the_top_or_turns() {
     let d = [1.0, 0.0];
     // A small lean: straight over the top.
     let small = touched([-0.2, 0.1], &[hit(2.0, d, 0.2)]);
-    let delta = push(&co, [-0.2, 0.1], &hit(2.0, d, 0.2));
+    let delta = pushes(&co, std::iter::once(([-0.2, 0.1], &hit(2.0, d, 0.2)))).next().expect("one").delta;
     assert_eq!(small.bend, [-0.2 + delta, 0.1]);
     let exact = ((-0.2_f64).tan() + 2.0 * DT / f64::from(0.2_f32)).atan() + 0.2;
     assert!((f64::from(delta) - exact).abs() < 1e-6);
@@ -122,7 +122,7 @@ fn a_held_plant_never_stands_up_and_stays_inside_its_limits() {
         let speed = dice.between(0.0, 80.0) as f32;
         let mut body = hit(speed, direction, dice.between(0.02, 0.24) as f32);
         body.depth = dice.between(0.0, 1.0) as f32;
-        let held = contact(&co, bend, slope, [body].into_iter()).expect("touched");
+        let held = contact(&co, bend, slope, &[body]).expect("touched");
         let limit = bend_limit(slope, held.bend);
         assert!(length(held.bend) <= limit + 2e-6, "{held:?} over {limit}");
         assert!(length(held.rate) <= 60.0 + 1e-4 && held.rate.iter().chain(&held.bend).all(|v| v.is_finite()));

@@ -108,7 +108,7 @@ fn a_body_that_turns_on_the_spot_bends_along_its_motion() {
 fn of_several_bodies_the_largest_push_wins_and_ties_go_to_the_lower_id() {
     let co = world("stands: [(species: Meadow)]").model.stands[0].coefficients;
     let hit = |speed: f32, direction: [f32; 2]| Hit { speed, direction, along: speed, height: 0.2, normal: [1.0, 0.0], depth: 0.0 };
-    let bend_of = |hits: &[Hit]| contact(&co, [0.0, 0.0], [0.0, 0.0], hits.iter().copied()).expect("touched").bend;
+    let bend_of = |hits: &[Hit]| contact(&co, [0.0, 0.0], [0.0, 0.0], hits).expect("touched").bend;
     let (east, south) = (hit(2.0, [1.0, 0.0]), hit(2.0, [0.0, 1.0]));
     assert!(bend_of(&[east, south])[0] > 0.1 && bend_of(&[east, south])[1] == 0.0, "a tie goes to the first");
     assert!(bend_of(&[south, east])[1] > 0.1 && bend_of(&[south, east])[0] == 0.0, "swapped, to the other");
@@ -125,7 +125,7 @@ fn the_highest_floor_holds_whichever_body_pushes() {
     let moving = Hit { speed: 2.0, direction: [1.0, 0.0], along: 2.0, height: 0.2, normal: [1.0, 0.0], depth: 0.0 };
     let deep = Hit { speed: 0.0, along: 0.0, depth: 1.0, ..moving };
     let after = |hits: &[Hit]| {
-        let touched = |bend: [f32; 2]| contact(&co, bend, [0.0, 0.0], hits.iter().copied()).expect("touched").bend;
+        let touched = |bend: [f32; 2]| contact(&co, bend, [0.0, 0.0], hits).expect("touched").bend;
         (0..20).fold([0.0, 0.0], |bend, _| touched(bend))
     };
     let floor = 5.0_f32.atan();

@@ -44,7 +44,7 @@ fn bodies_and_waves_respect_the_limit_on_a_slope() {
     for direction in [[1.0_f32, 0.0], [-1.0, 0.0], [0.6, 0.8]] {
         let hit = Hit { speed: 30.0, direction, along: 30.0, height: 0.1, normal: direction, depth: 1.0 };
         let mut bend = [0.0; 2];
-        (0..30).for_each(|_| bend = contact(&torus.stand.coefficients, bend, slope, [hit].into_iter()).expect("touched").bend);
+        (0..30).for_each(|_| bend = contact(&torus.stand.coefficients, bend, slope, &[hit]).expect("touched").bend);
         let (size, limit) = ((bend[0] * bend[0] + bend[1] * bend[1]).sqrt(), bend_limit(slope, direction));
         assert!(size <= limit + 1e-6 && size > limit - 0.02, "{direction:?}: {size} for {limit}");
     }

@@ -58,7 +58,7 @@ pub(crate) fn bend(gpu: &Gpu) -> Verdict {
         let slope = [random.float(-0.8, 0.8), random.float(-0.8, 0.8)];
         let hits = [hit(&mut random), hit(&mut random)];
         input.extend(random.words);
-        let held = contact(&co, bend, slope, hits.into_iter());
+        let held = contact(&co, bend, slope, &hits);
         held.map_or_else(Vec::new, |held| bits([held.bend[0], held.bend[1], held.rate[0] / 60.0, held.rate[1] / 60.0]))
     };
     let host = format!(

@@ -149,6 +149,12 @@ pub fn touch<'a>(bend: [f32; 2], slope: [f32; 2], hits: impl Iterator<Item = (&'
     Some(Touch { bend, slope, delta, floor, strongest: *hit, deepest: *deep, pusher, deeper })
 }
 
+/// Contact of one cell, as [`pushes`], [`touch`] and [`held`] have it of many; `hits` are in body order.
+pub fn contact(co: &Coefficients, bend: [f32; 2], slope: [f32; 2], hits: &[Hit]) -> Option<Held> {
+    let pushes = hits.chunks(ABREAST).flat_map(|hits| pushes(co, hits.iter().map(|hit| (bend, hit))));
+    held(co, &[touch(bend, slope, hits.iter().zip(pushes))?]).next()
+}
+
 /// What becomes of the first eight touched cells or fewer, side by side.
 #[inline(always)]
 pub fn held(co: &Coefficients, touches: &[Touch]) -> impl Iterator<Item = Held> {

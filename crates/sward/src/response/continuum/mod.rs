@@ -28,7 +28,7 @@ pub const WGSL: [&str; 6] = [
 pub const HALF_WGSL: &str = include_str!("half.wgsl");
 
 pub use super::Stage;
-pub use bend::{Held, Push, Touch, held, pushes, touch};
+pub use bend::{Held, Push, Touch, contact, held, pushes, touch};
 pub use coefficients::{Coefficients, HALF_PI, RATE_LIMIT, REST, SMALLEST_LIMIT, bend_limit, safe_limit};
 pub use lag::{LagCoefficients, cascade, from_history, look_up_offset};
 pub use patch::{Scratch, Wave, step_patch, wake_patch};
