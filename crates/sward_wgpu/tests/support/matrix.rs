@@ -26,7 +26,7 @@ pub(crate) fn matrix(gpu: &Gpu) -> Verdict {
             };
             failed = run().err().or(failed.take());
         },
-        false,
+        true,
     );
     if let Some(error) = failed {
         return Err(error.into());

@@ -82,7 +82,7 @@ impl Crowd {
     }
 }
 
-/// Whether all that is known of vegetation is a number.
+/// Whether all that is known of vegetation, and all that bodies feel of it, is a number.
 fn is_finite(world: &World) -> bool {
     let grass = (0..world.model.stands.len()).all(|stand| {
         let plants = standing(world, stand, [[-14.0, -2.0], [6.0, 32.0]], 200);
@@ -96,7 +96,8 @@ fn is_finite(world: &World) -> bool {
         .iter()
         .flat_map(|stand| std::iter::once(&stand.waves).chain(&stand.touches))
         .flat_map(|waves| waves.now.iter().flatten());
-    grass && levels.chain(planes).all(|value| value.is_finite())
+    let felt = world.state.reactions.iter().flat_map(|felt| felt.force.iter().chain(&felt.torque).chain([&felt.power]));
+    grass && felt.copied().all(f64::is_finite) && levels.chain(planes).all(|value| value.is_finite())
 }
 
 /// Resident memory of this process, bytes; `None` where the system does not say.
@@ -119,7 +120,7 @@ pub(crate) fn soak() -> Result<(), Failed> {
     let mut world = World::new(scene, &assets)?;
     let mut step = GpuStep::new(&gpu, &world)?;
     let (mut crowd, mut samples) = (Crowd { known: Scene::parse(BODIES, "bodies.ron")?.interactors, ..Crowd::default() }, Vec::new());
-    let most = GROWTH / seconds;
+    let (mut held, most) = (0, GROWTH / seconds);
     // Of a minute the last half, of ten minutes the last eight.
     let watched = (seconds / 2.0).max(seconds - 120.0);
     let last = |samples: &[(f64, f64)]| -> Vec<(f64, f64)> {
@@ -132,6 +133,7 @@ pub(crate) fn soak() -> Result<(), Failed> {
     while begun.elapsed().as_secs_f64() < seconds || (begun.elapsed().as_secs_f64() < 3.0 * seconds && !flat(&samples)) {
         crowd.act(&mut world, &assets)?;
         step.step(&gpu, &mut world)?;
+        held += world.state.reactions.iter().map(|felt| u64::from(felt.plants)).sum::<u64>();
         if world.state.step.is_multiple_of(5) {
             step.download(&gpu, &mut world)?;
             if world.state.step.is_multiple_of(60) && !is_finite(&world) {
@@ -152,9 +154,10 @@ pub(crate) fn soak() -> Result<(), Failed> {
         "soak: {steps} steps; {appeared} bodies appeared, {vanished} vanished, {jumped} jumps; {:.0} bytes a second",
         slope(&last(&samples))
     );
+    println!("soak: bodies held a plant {held} times");
     println!("soak: memory from {:?} to {:?}", samples.first(), samples.last());
     // Control: it was a crowd.
-    if appeared < 3 || vanished < 2 || jumped < 3 || steps < 30 || picture.rgba8.is_empty() {
+    if held == 0 || appeared < 3 || vanished < 2 || jumped < 3 || steps < 30 || picture.rgba8.is_empty() {
         return Err("nothing happened".into());
     }
     if !samples.is_empty() {
