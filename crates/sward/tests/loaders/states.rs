@@ -9,7 +9,7 @@ use crate::glue::stepped;
 use crate::{bytes, run};
 
 /// Bytes before the payload: the format's name, its version, a checksum.
-const HEADER: usize = 22;
+const HEADER: usize = 18;
 
 fn world(lag: &str, wind: &str, more: &str) -> World {
     let text = format!(
@@ -32,10 +32,6 @@ fn edited() -> World {
     world
 }
 
-fn checksum(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
-}
-
 fn harmed(states: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
     let mut state = chance.pick(states).clone();
     if chance.one_in(8) {
@@ -53,7 +49,7 @@ fn harmed(states: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
     } else {
         bytes::mutate(&mut payload, &others, chance);
     }
-    state[14..].copy_from_slice(&checksum(&payload).to_le_bytes());
+    state[14..].copy_from_slice(&crc32fast::hash(&payload).to_le_bytes());
     state.extend(payload);
     state
 }
