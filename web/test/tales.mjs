@@ -233,6 +233,15 @@ export async function plain(open) {
 // since a software device takes its processor away. On the clock a task may take no longer than 400 ms: a page that waits for
 // the device stands still, too. The browser's waiting for something to do is a task in which it does not work.
 export async function tasks(open) {
+  let longest;
+  // What else the machine does adds to a time and never takes from it: the shortest of three counts.
+  for (let time = 0; time < 3 && !(longest?.own < 100 && longest.whole < 400); time += 1) longest = await opened(open);
+  ensure(longest.own < 100, "the page does not answer");
+  ensure(longest.whole < 400, "the page waits for the device");
+}
+
+// The longest of the tasks while two scenes are opened, one after the other.
+async function opened(open) {
   const desk = await open("scene=nowhere&steps=1&pixels=0.2&cpu", { traced: true });
   await desk.wait("the page", (now) => now.problem !== null);
   await desk.click("scene hello");
@@ -243,6 +252,5 @@ export async function tasks(open) {
   const found = (await desk.tasks()).filter((task) => task.own > 20).sort((one, other) => other.own - one.own);
   ensure(found.length > 2, "control: opening takes some work");
   console.log(`  longest tasks: ${found.slice(0, 8).map(({ at, whole, own }) => `${own.toFixed(0)} ms of ${whole.toFixed(0)} at ${at.toFixed(0)}`).join(", ")}`);
-  ensure(found[0].own < 100, "the page does not answer");
-  ensure(Math.max(...found.map((task) => task.whole)) < 400, "the page waits for the device");
+  return { own: found[0].own, whole: Math.max(...found.map((task) => task.whole)) };
 }

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use sward::picture::Picture;
+use sward::picture::subject::looks;
 use sward::scene::{Driven, Path, Scene};
+use sward::shading::clump;
 use sward::world::World;
 use sward_wgpu::compute::GpuStep;
 use sward_wgpu::compute::download::Download;
@@ -152,6 +154,13 @@ impl Stage {
 
     async fn of(means: &Means, (source, painted): From, scene: Scene, world: World, backend: Backend) -> Result<Self, String> {
         breathe().await;
+        // What painting plants takes is divided, so that a page answers in between.
+        for look in looks(&world) {
+            for variant in 0..clump::VARIANTS {
+                clump::painted(look.kind, variant);
+                breathe().await;
+            }
+        }
         let painter = Painter::new(means, &world)?;
         let [opened, edited, running] = [scene.clone(), scene.clone(), scene];
         let mut stage = Self {

@@ -129,8 +129,9 @@ impl Viewer {
             let way = if context.input(|input| input.modifiers.shift) { 24.0 } else { 6.0 } * seconds;
             self.camera.slide(asked.right * way, asked.up * way, asked.ahead * way);
         }
-        // What is being made ready goes on from where this is now.
-        let steps = stage.due(if waits { Passing::Steps(0) } else { passing });
+        // What is being made ready goes on from where this is now. The first picture and the first step take long each: not both in one pass.
+        let first = stage.drawn().is_none();
+        let steps = stage.due(if waits || first { Passing::Steps(0) } else { passing });
         for taken in 0..steps {
             let both = [Some(&mut *stage), self.beside.stage.as_mut()].into_iter().flatten();
             let ready = both.map(Stage::ready).try_fold(true, |all, own| own.map(|own| all & own));
