@@ -352,6 +352,11 @@ impl Stage {
         Ok(self.painter.shown())
     }
 
+    /// Whether anything has been drawn of it yet.
+    pub fn has_picture(&self) -> bool {
+        self.painter.shown().is_some()
+    }
+
     /// The step that the last picture shows.
     pub fn drawn(&self) -> Option<u64> {
         self.drawn.map(|(step, ..)| step)

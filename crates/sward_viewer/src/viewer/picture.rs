@@ -130,7 +130,7 @@ impl Viewer {
             self.camera.slide(asked.right * way, asked.up * way, asked.ahead * way);
         }
         // What is being made ready goes on from where this is now. The first picture and the first step take long each: not both in one pass.
-        let first = stage.drawn().is_none();
+        let first = !stage.has_picture();
         let steps = stage.due(if waits || first { Passing::Steps(0) } else { passing });
         for taken in 0..steps {
             let both = [Some(&mut *stage), self.beside.stage.as_mut()].into_iter().flatten();
